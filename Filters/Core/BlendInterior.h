@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Interior nodes as a blend of affine images of both caps plus a harmonic correction.
+ */
+#ifndef hexsweep_BlendInterior_h
+#define hexsweep_BlendInterior_h
+
+#include "Mesh.h"
+#include "SweepBoundary.h"
+
+namespace hexsweep
+{
+/**
+ * Places the nodes of a swept volume.
+ *
+ * With A_k^S and A_k^T the least-squares affine maps that take the source and target loop nodes to
+ * ring k (fitAffineMap()), and t_k the fraction of the columns' length at layer k, the blend is
+ *
+ *   B_k(i) = (1 - t_k) A_k^S(source_i) + t_k A_k^T(target_i).
+ *
+ * It carries both caps through the volume and knows nothing of how a ring differs from an affine
+ * image of the loops. That difference is known on the boundary, and is spread into the volume as
+ * the discrete harmonic function on the topological model, the prism of section 4.2 of Cai and
+ * Tautges (2013): the target quads translated, with layers of the mean column length over L. The
+ * harmonic function with boundary values v is sum_i h_i v_i with the harmonic coordinates h_i of
+ * section 4.3, equations (9) to (11), so this is the cage deformation of the paper applied to the
+ * difference from the blend instead of to the positions.
+ *
+ * Affine sweeps (shear, scale, rotation, stretch) of a planar cap are reproduced to rounding, and
+ * so are caps in any shape that both are the same up to a rotation and a scale.
+ *
+ * @param sourcePoints n x 3.
+ * @param targetPoints n x 3, same order.
+ * @param quads        m x 4, the connectivity of both. Points that no quad uses are placed on the
+ *        straight line between the caps.
+ * @return (L + 1) n x 3, row k n + i is source point i on layer k. Cap and ring points come out
+ *         bit for bit as given.
+ * @throw InvalidInput, SolverFailure, Aborted (progress).
+ */
+Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
+}
+
+#endif

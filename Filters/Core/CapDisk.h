@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief One cap and its image in the disk.
+ */
+#ifndef hexsweep_CapDisk_h
+#define hexsweep_CapDisk_h
+
+#include "DiskDomain.h"
+#include "FilledDiskMap.h"
+
+namespace hexsweep
+{
+/// One cap in the disk.
+struct CapDisk
+{
+  TriangleMesh mesh; ///< original points first; positively oriented with its partner
+  Index numberOfOriginalPoints = 0;
+  std::vector<Index> triangleOrigin;
+  PlanePoints disk; ///< one row a point of mesh
+  DiskDomain domain = DiskDomain::Disk;
+  std::vector<Loop> loops; ///< outer first
+  std::vector<Circle> holes;
+  Weights weights = Weights::Cotangent; ///< what was used in the end
+  /// Triangles that are flipped in the disk (rows of mesh.triangles).
+  std::vector<Index> flipped;
+  /// As flipped, before falling back from cotangent to mean value weights.
+  Index flipsBefore = 0;
+  double maximumBoundaryDistance = 0.0;
+};
+
+/// Flags the nodes of all loops; n entries.
+std::vector<bool> boundaryFlags(Index n, const std::vector<Loop>& loops);
+
+/**
+ * Harmonic map with the boundary vertices at the given places of the plane.
+ *
+ * @param places places[p] belongs to loops[p], a row a node.
+ */
+PlanePoints mapToPlane(const TriangleMesh& mesh, const std::vector<Loop>& loops,
+  const std::vector<PlanePoints>& places, Weights weights);
+
+/// Shrinks circles until they keep clear of each other and of the unit circle.
+/// @throw InvalidInput when two centres coincide or one lies on the unit circle.
+void separateCircles(std::vector<Circle>& circles);
+
+/**
+ * Angles of a hole's nodes about its centre: clockwise by arc length, turned as a whole so that
+ * they fit where a map has the nodes.
+ *
+ * @param lengths arc lengths along the loop, scaled to [0, 2 pi).
+ */
+std::vector<double> holeAngles(const std::vector<double>& lengths, const PlanePoints& disk,
+  const Loop& loop, const Circle& hole);
+
+/**
+ * Calls map(weights) and keeps what has the fewest flips: the wanted weights first, mean value
+ * weights if those fold. Fills disk, weights, flipped and flipsBefore.
+ */
+void mapWithFallback(
+  CapDisk& cap, Weights weights, const std::function<PlanePoints(Weights)>& map);
+}
+
+#endif

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommonDiskMap.h"
+
+#include "AnnulusMap.h"
+#include "DirichletSolver.h"
+#include "Errors.h"
+#include "RingParameter.h"
+#include "SurfaceTopology.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexsweep
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+/// Radius of a common hole over the smaller of the two caps' hole radii: small enough that
+/// neither map has to shrink its hole much beyond what fits between its neighbours.
+constexpr double CommonHoleShrink = 0.4;
+
+/// log(1 / inner radius) of the annulus that is shown; the maps do not depend on it.
+constexpr double LeastLogRadius = 0.2;
+constexpr double GreatestLogRadius = 5.0;
+
+/// Angles of the united places by arc length along a ring: 0 first, less than 2 pi last.
+std::vector<double> ringAngles(const PointsRef& ring, const std::vector<double>& united)
+{
+  std::vector<double> angles = ringLengths(ring, united);
+  const double whole = angles.back();
+  angles.pop_back();
+  for (double& angle : angles)
+  {
+    angle *= 2.0 * Pi / whole;
+  }
+  return angles;
+}
+
+std::vector<double> mean(const std::vector<double>& a, const std::vector<double>& b)
+{
+  std::vector<double> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    result[i] = 0.5 * (a[i] + b[i]);
+  }
+  return result;
+}
+
+//--------------------------------------------------------------------------------------------------
+// Two loops: the cylinder.
+
+/// A cap's own angles (conformal) and height on the cylinder.
+struct CylinderCap
+{
+  AngleFunction angle;
+  Eigen::VectorXd correction;   // conformal angle = angle + correction
+  double logRadius = 0.0;       // conformal modulus: log(outer radius / hole radius)
+};
+
+CylinderCap measureCylinder(const CapBoundary& cap)
+{
+  const Points& points = cap.mesh.points;
+  const SparseMatrix laplacian = cotangentLaplacian(points, cap.mesh.triangles);
+  CylinderCap result;
+  result.angle = windingAngle(points, cap.mesh.triangles, laplacian, cap.loops);
+  result.correction = conformalCorrection(laplacian, result.angle, cap.loops[0][0]);
+
+  Eigen::VectorXd height = Eigen::VectorXd::Zero(points.rows());
+  for (const Index v : cap.loops[1])
+  {
+    height[v] = 1.0;
+  }
+  height = DirichletSolver(laplacian, boundaryFlags(points.rows(), cap.loops)).solve(height);
+  // The Dirichlet integral of the height is 2 pi / log(R / r); equation (2) is twice that.
+  result.logRadius = 4.0 * Pi / height.dot(laplacian * height);
+  return result;
+}
+
+/// Conformal angles along a loop, unwrapped from its first node.
+std::vector<double> loopAngles(const CylinderCap& cap, const Loop& loop)
+{
+  std::vector<double> angles;
+  double angle = cap.angle.values[loop[0]];
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    if (k > 0)
+    {
+      angle += wrapAngle(cap.angle.values[loop[k]] - cap.angle.values[loop[k - 1]]);
+    }
+    angles.push_back(angle + cap.correction[loop[k]]);
+  }
+  return angles;
+}
+
+/// Whether the angles turn once in the given direction without standing still.
+bool isMonotone(const std::vector<double>& angles, double direction)
+{
+  for (std::size_t k = 0; k < angles.size(); ++k)
+  {
+    const double next =
+      k + 1 < angles.size() ? angles[k + 1] : angles[0] + direction * 2.0 * Pi;
+    if (!((next - angles[k]) * direction > 0.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// By arc length where the conformal angles are not monotone (a very distorted triangulation).
+std::vector<double> safeLoopAngles(const CylinderCap& cap, const Loop& loop, const PointsRef& ring,
+  const std::vector<double>& united, double direction)
+{
+  std::vector<double> angles = loopAngles(cap, loop);
+  if (isMonotone(angles, direction))
+  {
+    return angles;
+  }
+  const std::vector<double> lengths = ringAngles(ring, united);
+  double shift = 0.0;
+  for (std::size_t k = 0; k < angles.size(); ++k)
+  {
+    shift += (angles[k] - direction * lengths[k]) / static_cast<double>(angles.size());
+  }
+  for (std::size_t k = 0; k < angles.size(); ++k)
+  {
+    angles[k] = direction * lengths[k] + shift;
+  }
+  return angles;
+}
+
+/// Harmonic angle and height with the given angles on the loops, drawn as an annulus.
+PlanePoints mapToAnnulus(const CapBoundary& cap, const CylinderCap& own,
+  const std::vector<std::vector<double>>& angles, double logRadius, Weights weights)
+{
+  const Index n = cap.mesh.points.rows();
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, 2); // correction of the angle; height
+  for (std::size_t p = 0; p < 2; ++p)
+  {
+    const Loop& loop = cap.loops[p];
+    const std::vector<double> before = loopAngles(own, loop);
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      values(loop[k], 0) = own.correction[loop[k]] + angles[p][k] - before[k];
+      values(loop[k], 1) = static_cast<double>(p);
+    }
+  }
+  const SparseMatrix laplacian = surfaceLaplacian(cap.mesh.points, cap.mesh.triangles, weights);
+  Eigen::MatrixXd source = Eigen::MatrixXd::Zero(n, 2);
+  source.col(0) = angleSource(laplacian, own.angle);
+  const Eigen::MatrixXd solution =
+    DirichletSolver(laplacian, boundaryFlags(n, cap.loops)).solve(values, source);
+  PlanePoints disk(n, 2);
+  for (Index i = 0; i < n; ++i)
+  {
+    const double angle = own.angle.values[i] + solution(i, 0);
+    disk.row(i) = std::exp(-logRadius * solution(i, 1)) *
+      Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+  }
+  return disk;
+}
+
+void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
+{
+  const CylinderCap first = measureCylinder(caps.first);
+  const CylinderCap second = measureCylinder(caps.second);
+  const double logRadius =
+    std::clamp(0.5 * (first.logRadius + second.logRadius), LeastLogRadius, GreatestLogRadius);
+
+  // The outer loop turns counter-clockwise, the hole clockwise (the surface lies on the left).
+  std::vector<std::vector<double>> firstAngles;
+  std::vector<std::vector<double>> secondAngles;
+  for (std::size_t p = 0; p < 2; ++p)
+  {
+    const double direction = p == 0 ? 1.0 : -1.0;
+    firstAngles.push_back(safeLoopAngles(
+      first, caps.first.loops[p], caps.pairs[p].first, caps.united[p], direction));
+    secondAngles.push_back(safeLoopAngles(
+      second, caps.second.loops[p], caps.pairs[p].second, caps.united[p], direction));
+  }
+  // Mismatch second - first: its mean on the outer loop is a rotation, which no map cares for;
+  // on the hole it counts up to whole turns, of which the nearest to the outer one is meant.
+  const auto meanMismatch = [&](std::size_t p) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < firstAngles[p].size(); ++k)
+    {
+      sum += secondAngles[p][k] - firstAngles[p][k];
+    }
+    return sum / static_cast<double>(firstAngles[p].size());
+  };
+  const double rotation = meanMismatch(0);
+  const double holeMismatch = meanMismatch(1) - rotation;
+  const double wholeTurns[2] = { 0.0, holeMismatch - wrapAngle(holeMismatch) };
+  std::vector<std::vector<double>> forFirst;
+  std::vector<std::vector<double>> forSecond;
+  for (std::size_t p = 0; p < 2; ++p)
+  {
+    for (double& angle : secondAngles[p])
+    {
+      angle -= rotation + wholeTurns[p];
+    }
+    forFirst.push_back(mean(firstAngles[p], secondAngles[p]));
+    forSecond.push_back(forFirst.back());
+    // The second cap's own angle function is not turned: give its boundary values in its terms.
+    for (double& angle : forSecond.back())
+    {
+      angle += wholeTurns[p];
+    }
+  }
+  disks.first.domain = disks.second.domain = DiskDomain::Annulus;
+  mapWithFallback(disks.first, weights,
+    [&](Weights w) { return mapToAnnulus(caps.first, first, forFirst, logRadius, w); });
+  mapWithFallback(disks.second, weights,
+    [&](Weights w) { return mapToAnnulus(caps.second, second, forSecond, logRadius, w); });
+  const std::vector<Circle> holes{ { { 0.0, 0.0 }, std::exp(-logRadius) } };
+  disks.first.holes = disks.second.holes = holes;
+}
+
+//--------------------------------------------------------------------------------------------------
+// One loop, and three or more: circles.
+
+void mapCircles(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
+{
+  std::vector<PlanePoints> places;
+  const Circle unit{ { 0.0, 0.0 }, 1.0 };
+  places.push_back(circlePoints(unit,
+    mean(ringAngles(caps.pairs[0].first, caps.united[0]),
+      ringAngles(caps.pairs[0].second, caps.united[0]))));
+
+  std::vector<Circle> holes;
+  if (caps.pairs.size() > 1)
+  {
+    const auto filled = [&](const CapBoundary& cap) {
+      return filledDiskMap(cotangentLaplacian(cap.mesh.points, cap.mesh.triangles),
+        cap.mesh.points, cap.loops, places[0]);
+    };
+    const FilledDiskMap first = filled(caps.first);
+    const FilledDiskMap second = filled(caps.second);
+    for (std::size_t h = 0; h + 1 < caps.pairs.size(); ++h)
+    {
+      holes.push_back({ 0.5 * (first.holes[h].center + second.holes[h].center),
+        CommonHoleShrink * std::min(first.holes[h].radius, second.holes[h].radius) });
+    }
+    separateCircles(holes);
+    for (std::size_t p = 1; p < caps.pairs.size(); ++p)
+    {
+      const std::vector<double> a = holeAngles(
+        ringAngles(caps.pairs[p].first, caps.united[p]), first.disk, caps.first.loops[p],
+        first.holes[p - 1]);
+      std::vector<double> b = holeAngles(
+        ringAngles(caps.pairs[p].second, caps.united[p]), second.disk, caps.second.loops[p],
+        second.holes[p - 1]);
+      double difference = 0.0;
+      for (std::size_t k = 0; k < a.size(); ++k)
+      {
+        difference += (b[k] - a[k]) / static_cast<double>(a.size());
+      }
+      const double wholeTurns = difference - wrapAngle(difference);
+      for (double& angle : b)
+      {
+        angle -= wholeTurns;
+      }
+      places.push_back(circlePoints(holes[p - 1], mean(a, b)));
+    }
+  }
+  disks.first.domain = disks.second.domain =
+    holes.empty() ? DiskDomain::Disk : DiskDomain::Circles;
+  disks.first.holes = disks.second.holes = holes;
+  mapWithFallback(
+    disks.first, weights, [&](Weights w) { return mapToPlane(caps.first.mesh, caps.first.loops, places, w); });
+  mapWithFallback(
+    disks.second, weights, [&](Weights w) { return mapToPlane(caps.second.mesh, caps.second.loops, places, w); });
+}
+
+CapDisk startFrom(const CapBoundary& cap, Index numberOfOriginalPoints)
+{
+  CapDisk disk;
+  disk.mesh = cap.mesh;
+  disk.triangleOrigin = cap.triangleOrigin;
+  disk.loops = cap.loops;
+  disk.numberOfOriginalPoints = numberOfOriginalPoints;
+  disk.maximumBoundaryDistance = cap.maximumDistance;
+  return disk;
+}
+}
+
+CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
+  const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
+  const Progress& progress)
+{
+  reportProgress(progress, 0.0);
+  const CapBoundaries caps = matchCapBoundaries(first, second, pairs, matchTolerance);
+  reportProgress(progress, 0.3);
+  CommonDisks disks;
+  disks.pairs = caps.pairs;
+  disks.first = startFrom(caps.first, first.points.rows());
+  disks.second = startFrom(caps.second, second.points.rows());
+  if (pairs.size() == 2)
+  {
+    mapAnnuli(disks, caps, weights);
+  }
+  else
+  {
+    mapCircles(disks, caps, weights);
+  }
+  reportProgress(progress, 1.0);
+  return disks;
+}
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Numbers and places as text, for messages to the user.
+ */
+#ifndef hexsweep_Describe_h
+#define hexsweep_Describe_h
+
+#include <Eigen/Core>
+
+#include <cstdio>
+#include <string>
+
+namespace hexsweep
+{
+/// Shortest text with up to 9 significant digits, e.g. "0.25" or "1e-06".
+inline std::string describe(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.9g", value);
+  return text;
+}
+
+/// "(x, y, z)".
+inline std::string describe(const Eigen::Ref<const Eigen::RowVector3d>& point)
+{
+  return "(" + describe(point[0]) + ", " + describe(point[1]) + ", " + describe(point[2]) + ")";
+}
+}
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Harmonic functions with given values on some vertices: equation (3) of the paper.
+ */
+#ifndef hexsweep_DirichletSolver_h
+#define hexsweep_DirichletSolver_h
+
+#include "SurfaceLaplacian.h"
+
+#include <memory>
+
+namespace hexsweep
+{
+/**
+ * Solves L f = b at the free vertices with f given at the fixed ones.
+ *
+ * The matrix is factorised once, in the constructor; solve() may then be called for any number of
+ * right-hand sides. Symmetric matrices use a sparse Cholesky factorisation (Eigen), others LU.
+ */
+class DirichletSolver
+{
+public:
+  /**
+   * @param laplacian n x n. Vertices with an empty row are left out; their values pass through.
+   * @param fixed     n entries, true where values are given. Every connected part of the mesh
+   *                  needs at least one.
+   * @throw SolverFailure when the factorisation breaks down.
+   */
+  DirichletSolver(const SparseMatrix& laplacian, const std::vector<bool>& fixed);
+  ~DirichletSolver();
+  DirichletSolver(DirichletSolver&&) noexcept;
+  DirichletSolver& operator=(DirichletSolver&&) noexcept;
+
+  /**
+   * @param values n x k; the fixed rows are read, the others ignored.
+   * @return n x k, harmonic at the free vertices, equal to `values` at the fixed ones.
+   * @throw SolverFailure when the solution is not finite.
+   */
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& values) const;
+
+  /// The same with a right-hand side (n x k; only free rows are read).
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& values,
+    const Eigen::Ref<const Eigen::MatrixXd>& rightHandSide) const;
+
+private:
+  struct Factor;
+  std::unique_ptr<Factor> Implementation;
+};
+}
+
+#endif

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilledDiskMap.h"
+
+#include "DirichletSolver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexsweep
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+using Triplets = std::vector<Eigen::Triplet<double, int>>;
+
+void addEdge(Triplets& entries, Index i, Index j, double w)
+{
+  const int a = static_cast<int>(i);
+  const int b = static_cast<int>(j);
+  entries.insert(entries.end(), { { a, b, -w }, { b, a, -w }, { a, a, w }, { b, b, w } });
+}
+
+/// The weights (twice the cotangent convention of equation (1)) of a fan about `center`.
+void addFan(Triplets& entries, const PointsRef& points, const Loop& loop, Index center)
+{
+  const Points polygon = loopPoints(points, loop);
+  const std::vector<double> angles = arcLengthAngles(polygon);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const std::size_t j = (i + 1) % loop.size();
+    const double end = j == 0 ? 2.0 * Pi : angles[j];
+    // An isosceles triangle with this angle at the centre; wider ones would turn obtuse.
+    const double apex = std::min(end - angles[i], 2.0 * Pi / 3.0);
+    const double spoke = std::tan(apex / 2.0);
+    addEdge(entries, center, loop[i], spoke);
+    addEdge(entries, center, loop[j], spoke);
+    addEdge(entries, loop[i], loop[j], std::max(0.0, 1.0 / std::tan(apex)));
+  }
+}
+
+/// Radius of the circle with the polygon's area.
+double equivalentRadius(const PlanePoints& disk, const Loop& loop)
+{
+  double twiceArea = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const auto p = disk.row(loop[i]);
+    const auto q = disk.row(loop[(i + 1) % loop.size()]);
+    twiceArea += p.x() * q.y() - p.y() * q.x();
+  }
+  return std::sqrt(std::abs(twiceArea) / (2.0 * Pi));
+}
+}
+
+Points loopPoints(const PointsRef& points, const Loop& loop)
+{
+  Points result(static_cast<Index>(loop.size()), 3);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    result.row(static_cast<Index>(i)) = points.row(loop[i]);
+  }
+  return result;
+}
+
+std::vector<double> arcLengthAngles(const PointsRef& polygon)
+{
+  const Index n = polygon.rows();
+  std::vector<double> length(static_cast<std::size_t>(n) + 1, 0.0);
+  for (Index i = 0; i < n; ++i)
+  {
+    length[static_cast<std::size_t>(i) + 1] =
+      length[static_cast<std::size_t>(i)] + (polygon.row((i + 1) % n) - polygon.row(i)).norm();
+  }
+  const double whole = length.back();
+  length.pop_back();
+  for (double& l : length)
+  {
+    l *= 2.0 * Pi / whole;
+  }
+  return length;
+}
+
+PlanePoints circlePoints(const Circle& circle, const std::vector<double>& angles)
+{
+  PlanePoints points(static_cast<Index>(angles.size()), 2);
+  for (std::size_t i = 0; i < angles.size(); ++i)
+  {
+    points.row(static_cast<Index>(i)) = circle.center +
+      circle.radius * Eigen::RowVector2d(std::cos(angles[i]), std::sin(angles[i]));
+  }
+  return points;
+}
+
+FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& points,
+  const std::vector<Loop>& loops, const PlanePointsRef& outer)
+{
+  const Index n = laplacian.rows();
+  const Index holes = static_cast<Index>(loops.size()) - 1;
+  Triplets entries;
+  for (Index column = 0; column < laplacian.outerSize(); ++column)
+  {
+    for (SparseMatrix::InnerIterator it(laplacian, column); it; ++it)
+    {
+      entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(column), it.value());
+    }
+  }
+  for (Index h = 0; h < holes; ++h)
+  {
+    addFan(entries, points, loops[static_cast<std::size_t>(h) + 1], n + h);
+  }
+  SparseMatrix filled(n + holes, n + holes);
+  filled.setFromTriplets(entries.begin(), entries.end());
+
+  std::vector<bool> fixed(static_cast<std::size_t>(n + holes), false);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n + holes, 2);
+  for (std::size_t i = 0; i < loops[0].size(); ++i)
+  {
+    fixed[static_cast<std::size_t>(loops[0][i])] = true;
+    values.row(loops[0][i]) = outer.row(static_cast<Index>(i));
+  }
+  const Eigen::MatrixXd solution = DirichletSolver(filled, fixed).solve(values);
+
+  FilledDiskMap map;
+  map.disk = solution.topRows(n);
+  for (Index h = 0; h < holes; ++h)
+  {
+    map.holes.push_back({ solution.row(n + h),
+      equivalentRadius(map.disk, loops[static_cast<std::size_t>(h) + 1]) });
+  }
+  return map;
+}
+}

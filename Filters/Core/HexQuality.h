@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Corner Jacobians and scaled Jacobian of hexahedra, and what can be concluded from them.
+ *
+ * The scaled Jacobian is Verdict's (C. Stimpson, C. Ernst, P. Knupp, P. Pebay, D. Thompson, "The
+ * Verdict Geometric Quality Library", SAND2007-1751, section on hexahedra): the least, over the
+ * eight corners and the centre, of the determinant of three edge vectors over the product of
+ * their lengths. Positive corners do not prove that a hexahedron is valid everywhere: a corner
+ * test alone can condemn, never acquit.
+ */
+#ifndef hexsweep_HexQuality_h
+#define hexsweep_HexQuality_h
+
+#include "Mesh.h"
+
+#include <vector>
+
+namespace hexsweep
+{
+/// The corners of one hexahedron in VTK_HEXAHEDRON order, one a row.
+using HexCorners = Eigen::Matrix<double, 8, 3, Eigen::RowMajor>;
+using HexCornersRef = Eigen::Ref<const HexCorners>;
+
+/// What is known of a hexahedron; the numbers are those of the cell array `Validity`.
+enum class Validity : unsigned char
+{
+  Certified = 0,      ///< the Jacobian is positive at every point (proved)
+  InvertedCorner = 1, ///< the Jacobian of a corner is not positive
+  InvertedInside = 2, ///< positive corners, but not positive somewhere inside (proved)
+  Undecided = 3,      ///< positive corners, nothing proved
+  Degenerate = 4,     ///< an edge without length, or a coordinate that is not finite
+  NotJudged = 5       ///< not a hexahedron with straight edges
+};
+
+struct HexQuality
+{
+  /// In [-1, 1]. 0 or less for an edge without length, not a number where a coordinate is not.
+  double scaledJacobian = 0.0;
+  Validity validity = Validity::Undecided;
+  /// All eight corner Jacobians are negative: the points are in left-handed order.
+  bool insideOut = false;
+};
+
+/// Determinants of the three edge vectors that leave each corner (length^3), in corner order.
+Eigen::Matrix<double, 8, 1> cornerJacobians(const HexCornersRef& corners);
+
+/**
+ * Scaled Jacobian and verdict of one hexahedron.
+ *
+ * Verdict returns 1e30 for an edge whose squared length is below 1e-30, so that a collapsed
+ * hexahedron looks perfect. Here such a corner has the scaled Jacobian 0, the hexahedron is
+ * Degenerate, and no absolute length enters.
+ */
+HexQuality hexQuality(const HexCornersRef& corners);
+
+/**
+ * Quality of each hexahedron of a mesh, in order.
+ *
+ * @param points n x 3; @param hexes m x 8 ids in [0, n), VTK_HEXAHEDRON order.
+ */
+std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes);
+
+/// Counts and extremes over many hexahedra; those that are NotJudged do not count.
+struct HexQualitySummary
+{
+  Index hexes = 0;
+  /// InvertedCorner and InvertedInside.
+  Index inverted = 0;
+  Index insideOut = 0;
+  Index degenerate = 0;
+  /// Everything that is not Certified, the inverted and degenerate ones included.
+  Index notCertified = 0;
+  /// Over all hexahedra with finite coordinates; 0 when there are none.
+  double minScaledJacobian = 0.0;
+  double meanScaledJacobian = 0.0;
+
+  /// Adds one more. The order of the calls fixes the last bits of the mean.
+  void add(const HexQuality& quality);
+
+private:
+  double sumScaledJacobian = 0.0;
+  Index finiteHexes = 0;
+};
+
+HexQualitySummary summarize(const std::vector<HexQuality>& qualities);
+}
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Predicates.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace hexsweep
+{
+namespace
+{
+struct TwoTerms
+{
+  double high;
+  double low;
+};
+
+TwoTerms exactSum(double a, double b)
+{
+  const double sum = a + b;
+  const double virtualB = sum - a;
+  const double virtualA = sum - virtualB;
+  return { sum, (a - virtualA) + (b - virtualB) };
+}
+
+TwoTerms exactProduct(double a, double b)
+{
+  const double product = a * b;
+  return { product, std::fma(a, b, -product) };
+}
+
+/// A sum of doubles that do not overlap, smallest first; grows one exact term at a time.
+class Expansion
+{
+public:
+  void add(double term)
+  {
+    for (int i = 0; i < this->Size; ++i)
+    {
+      const TwoTerms sum = exactSum(term, this->Terms[static_cast<std::size_t>(i)]);
+      this->Terms[static_cast<std::size_t>(i)] = sum.low;
+      term = sum.high;
+    }
+    this->Terms[static_cast<std::size_t>(this->Size++)] = term;
+  }
+  int sign() const
+  {
+    // The largest nonzero component outweighs all smaller ones together.
+    for (int i = this->Size - 1; i >= 0; --i)
+    {
+      const double term = this->Terms[static_cast<std::size_t>(i)];
+      if (term != 0.0)
+      {
+        return term > 0.0 ? 1 : -1;
+      }
+    }
+    return 0;
+  }
+
+private:
+  std::array<double, 12> Terms{};
+  int Size = 0;
+};
+}
+
+int orientation(
+  const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c)
+{
+  const double left = (a.x() - c.x()) * (b.y() - c.y());
+  const double right = (a.y() - c.y()) * (b.x() - c.x());
+  const double area = left - right;
+  constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+  const double bound = (3.0 + 16.0 * unit) * unit * (std::abs(left) + std::abs(right));
+  if (std::abs(area) > bound)
+  {
+    return area > 0.0 ? 1 : -1;
+  }
+
+  Expansion exact;
+  const auto addProduct = [&exact](double u, double v) {
+    const TwoTerms product = exactProduct(u, v);
+    exact.add(product.low);
+    exact.add(product.high);
+  };
+  addProduct(a.x(), b.y());
+  addProduct(-a.x(), c.y());
+  addProduct(-c.x(), b.y());
+  addProduct(-a.y(), b.x());
+  addProduct(a.y(), c.x());
+  addProduct(c.y(), b.x());
+  return exact.sign();
+}
+}

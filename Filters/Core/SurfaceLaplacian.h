@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Edge weights of the discrete harmonic energy on a triangulated surface.
+ *
+ * Paper section 3.1.1: S. Cai, T. J. Tautges, "Robust One-to-One Sweeping with Harmonic S-T
+ * Mappings and Cages", 22nd International Meshing Roundtable, 2013, equations (1) to (3).
+ */
+#ifndef hexsweep_SurfaceLaplacian_h
+#define hexsweep_SurfaceLaplacian_h
+
+#include "Mesh.h"
+
+#include <Eigen/SparseCore>
+
+namespace hexsweep
+{
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// How an edge weighs in the harmonic energy.
+enum class Weights
+{
+  Cotangent, ///< equation (1); exact for the metric, negative on obtuse triangles
+  MeanValue  ///< Floater 2003; positive on every triangulation, not symmetric
+};
+
+/**
+ * Cotangents of the three angles of each triangle; column c belongs to corner c.
+ *
+ * Computed from edge lengths and area, so any units do. A triangle without area gives infinities.
+ */
+Points cotangents(const PointsRef& points, const TrianglesRef& triangles);
+
+/**
+ * The matrix L with (L f)_i = sum_j w_ij (f_i - f_j), equation (3), with
+ * w_ij = cot(theta_k^ij) + cot(theta_l^ij), equation (1) (on the boundary the one angle there is).
+ *
+ * f^T L f is the energy E(f) of equation (2); it is twice the Dirichlet integral of the piecewise
+ * linear function f. Rows of points that no triangle uses are empty.
+ *
+ * @return n x n, symmetric, positive semidefinite, rows sum to zero.
+ * @throw InvalidInput when a triangle has no area.
+ */
+SparseMatrix cotangentLaplacian(const PointsRef& points, const TrianglesRef& triangles);
+
+/**
+ * The matrix of M. S. Floater's mean value coordinates ("Mean value coordinates", CAGD 20, 2003):
+ * w_ij = (tan(a/2) + tan(b/2)) / |v_i v_j|, a and b the angles at v_i beside the edge.
+ *
+ * @return n x n, not symmetric, off-diagonal entries negative, rows sum to zero.
+ * @throw InvalidInput when a triangle has no area.
+ */
+SparseMatrix meanValueLaplacian(const PointsRef& points, const TrianglesRef& triangles);
+
+/// Either of the two.
+SparseMatrix surfaceLaplacian(
+  const PointsRef& points, const TrianglesRef& triangles, Weights weights);
+}
+
+#endif

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SweepProjection.h"
+
+#include "Errors.h"
+#include "LinkingRings.h"
+#include "LoopMatching.h"
+#include "SurfaceProjection.h"
+#include "SurfaceTopology.h"
+#include "TriangleSearch.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+/// Disk coordinates of common boundary nodes agree to rounding; the disk's size is 1.
+constexpr double SameDiskPoint = 1e-9;
+
+TriangleMesh oriented(const TriangleMesh& mesh, const std::string& what)
+{
+  TriangleMesh result = mesh;
+  result.triangles = orientFaces(mesh.triangles, what);
+  checkCap(checkSurface(result.triangles, result.points.rows(), what), what);
+  return result;
+}
+
+Progress part(const Progress& progress, double from, double to)
+{
+  return [=](double fraction) { return !progress || progress(from + (to - from) * fraction); };
+}
+
+/// Turns a shape match into pairs, the outer one first.
+std::vector<LoopPair> outerFirst(std::vector<LoopPair> pairs)
+{
+  const auto length = [](const LoopPair& pair) {
+    double sum = 0.0;
+    for (const Points* ring : { &pair.first, &pair.second })
+    {
+      for (Index i = 0; i < ring->rows(); ++i)
+      {
+        sum += (ring->row((i + 1) % ring->rows()) - ring->row(i)).norm();
+      }
+    }
+    return sum;
+  };
+  const auto outer = std::max_element(pairs.begin(), pairs.end(),
+    [&](const LoopPair& a, const LoopPair& b) { return length(a) < length(b); });
+  std::rotate(pairs.begin(), outer, outer + 1);
+  return pairs;
+}
+
+CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
+  const LinkedLoops& linked, Weights weights, double matchTolerance, const Progress& progress)
+{
+  if (!linked.swapped)
+  {
+    return commonDiskMap(cap, partner, linked.pairs, weights, matchTolerance, progress);
+  }
+  CommonDisks disks =
+    commonDiskMap(partner, cap, linked.pairs, weights, matchTolerance, progress);
+  std::swap(disks.first, disks.second);
+  return disks;
+}
+
+LinkedLoops link(const TriangleMesh& cap, const TriangleMesh& partner, const QuadMesh& linking,
+  double matchTolerance)
+{
+  return linkLoops(cap.points,
+    checkSurface(cap.triangles, cap.points.rows(), "triangles of the cap").loops, partner.points,
+    checkSurface(partner.triangles, partner.points.rows(), "triangles of the partner").loops,
+    linking.points, linking.quads, matchTolerance);
+}
+
+/// Where the boundary nodes of the quads belong on the target cap.
+struct Boundary
+{
+  std::vector<FixedNode> nodes;
+  std::vector<ColumnDirection> columns; // with linking sides only
+  std::vector<LoopPair> shapePairs; // without linking sides only
+  std::vector<double> startFractions;
+};
+
+Boundary placeBoundary(
+  const SweepProjectionInput& input, const TriangleMesh& target, const std::vector<Loop>& loops)
+{
+  Boundary boundary;
+  if (input.linking)
+  {
+    const LinkingRings rings = traceLinkingRings(input.source.points, loops,
+      input.linking->points, input.linking->quads, input.matchTolerance);
+    for (std::size_t l = 0; l < loops.size(); ++l)
+    {
+      const Index layers = rings.numberOfLayers();
+      const Points last = ringPoints(rings, input.linking->points, l, layers);
+      const Points above = ringPoints(rings, input.linking->points, l, layers - 1);
+      for (std::size_t j = 0; j < loops[l].size(); ++j)
+      {
+        const Index row = static_cast<Index>(j);
+        boundary.nodes.push_back({ loops[l][j], last.row(row) });
+        boundary.columns.push_back({ loops[l][j], above.row(row) - last.row(row) });
+      }
+    }
+    return boundary;
+  }
+  MatchedLoops matched = matchLoopsByShape(input.source.points, loops, target.points,
+    checkSurface(target.triangles, target.points.rows(), "target surface").loops);
+  for (std::size_t l = 0; l < loops.size(); ++l)
+  {
+    for (std::size_t j = 0; j < loops[l].size(); ++j)
+    {
+      boundary.nodes.push_back(
+        { loops[l][j], matched.pairs[l].second.row(static_cast<Index>(j)) });
+    }
+  }
+  boundary.shapePairs = outerFirst(std::move(matched.pairs));
+  boundary.startFractions = std::move(matched.startFractions);
+  return boundary;
+}
+
+std::vector<bool> usedPoints(const QuadMesh& mesh)
+{
+  std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
+  for (Index i = 0; i < mesh.quads.size(); ++i)
+  {
+    used[static_cast<std::size_t>(mesh.quads.data()[i])] = true;
+  }
+  return used;
+}
+
+/// Every boundary node of one disk must be one of the other, in the same place.
+void checkSameBoundary(const CapDisk& source, const CapDisk& target)
+{
+  const auto boundaryPoints = [](const CapDisk& cap) {
+    std::vector<Index> ids;
+    for (const Loop& loop : cap.loops)
+    {
+      ids.insert(ids.end(), loop.begin(), loop.end());
+    }
+    Points corners(static_cast<Index>(ids.size()) * 3, 3);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      const Eigen::RowVector2d p = cap.disk.row(ids[i]);
+      corners.middleRows<3>(static_cast<Index>(i) * 3).rowwise() =
+        Eigen::RowVector3d(p.x(), p.y(), 0.0);
+    }
+    return corners;
+  };
+  const Points a = boundaryPoints(source);
+  const Points b = boundaryPoints(target);
+  bool same = source.domain == target.domain && a.rows() == b.rows();
+  const TriangleSearch inB(b);
+  for (Index i = 0; same && i < a.rows(); i += 3)
+  {
+    same = inB.closest(a.row(i)).distance <= SameDiskPoint;
+  }
+  if (!same)
+  {
+    throw InvalidInput("the disk maps of the two surfaces do not share their loops. Map each cap "
+                       "with the other as Partner and the same linking sides, or let the projector "
+                       "make the maps (DiskMaps = Automatic).");
+  }
+}
+
+/// Untangles and polishes as asked, and judges the result.
+void improve(SweepProjection& result, const SweepProjectionInput& input, const Boundary& boundary,
+  const TriangleMesh& target, const Progress& progress)
+{
+  const SurfaceProjection surface(target);
+  const auto judge = [&] {
+    return quadQuality(result.quads.points, input.source.quads,
+      surface.project(result.quads.points).normals);
+  };
+  result.quality = judge();
+  result.invertedBefore = result.quality.inverted;
+  if (!input.ensureValid && !input.improveQuality)
+  {
+    return;
+  }
+  // Points that no quad uses are nobody's to move; they count as fixed.
+  std::vector<bool> fixed = usedPoints(input.source);
+  fixed.flip();
+  for (const FixedNode& node : boundary.nodes)
+  {
+    fixed[static_cast<std::size_t>(node.point)] = true;
+  }
+  const CapCorners corners(
+    input.source.quads, fixed, target, boundary.columns, result.quads.points);
+  if (input.ensureValid)
+  {
+    ImprovedQuads untangled =
+      untangleQuads(corners, result.quads.points, input.source.points, part(progress, 0.0, 0.5));
+    result.quads.points = std::move(untangled.points);
+    result.rounds += untangled.rounds;
+  }
+  if (input.improveQuality)
+  {
+    ImprovedQuads polished =
+      polishQuads(corners, result.quads.points, input.source.points, part(progress, 0.5, 1.0));
+    result.quads.points = std::move(polished.points);
+    result.rounds += polished.rounds;
+  }
+  result.quality = judge();
+}
+
+Loop outerLoop(const QuadMesh& mesh, const std::vector<Loop>& loops)
+{
+  const auto length = [&](const Loop& loop) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      sum += (mesh.points.row(loop[(i + 1) % loop.size()]) - mesh.points.row(loop[i])).norm();
+    }
+    return sum;
+  };
+  return *std::max_element(loops.begin(), loops.end(),
+    [&](const Loop& a, const Loop& b) { return length(a) < length(b); });
+}
+}
+
+Triangles halveQuads(const PointsRef& points, const QuadsRef& quads)
+{
+  Triangles triangles(quads.rows() * 2, 3);
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    const auto squaredLength = [&](Index a, Index b) {
+      return (points.row(quads(q, a)) - points.row(quads(q, b))).squaredNorm();
+    };
+    const Index s = squaredLength(0, 2) <= squaredLength(1, 3) ? 0 : 1;
+    triangles.row(2 * q) << quads(q, s), quads(q, s + 1), quads(q, s + 2);
+    triangles.row(2 * q + 1) << quads(q, s), quads(q, s + 2), quads(q, (s + 3) % 4);
+  }
+  return triangles;
+}
+
+CommonDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
+  const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
+  const Progress& progress)
+{
+  const TriangleMesh first = oriented(cap, "triangles of the cap");
+  const TriangleMesh second = oriented(partner, "triangles of the partner");
+  LinkedLoops linked;
+  if (linking)
+  {
+    linked = link(first, second, *linking, matchTolerance);
+  }
+  else
+  {
+    linked.pairs = outerFirst(
+      matchLoopsByShape(first.points,
+        checkSurface(first.triangles, first.points.rows(), "triangles of the cap").loops,
+        second.points,
+        checkSurface(second.triangles, second.points.rows(), "triangles of the partner").loops)
+        .pairs);
+  }
+  return mapPairs(first, second, linked, weights, matchTolerance, progress);
+}
+
+SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& progress)
+{
+  const SurfaceTopology topology =
+    checkSurface(input.source.quads, input.source.points.rows(), "source quads");
+  checkCap(topology, "source quads");
+  const bool given = input.sourceDisk && input.targetDisk;
+  const TriangleMesh target =
+    given ? input.targetDisk->mesh : oriented(input.target, "target surface");
+  const Boundary boundary = placeBoundary(input, target, topology.loops);
+  const std::vector<bool> used = usedPoints(input.source);
+  reportProgress(progress, 0.05);
+
+  SweepProjection result;
+  result.startFractions = boundary.startFractions;
+  if (input.method == ProjectionMethod::AffineLeastSquares)
+  {
+    result.quads = projectAffinely(input.source.points, used, boundary.nodes,
+      outerLoop(input.source, topology.loops), target, part(progress, 0.05, 0.7));
+  }
+  else
+  {
+    if (given)
+    {
+      checkSameBoundary(*input.sourceDisk, *input.targetDisk);
+      result.source = input.sourceDisk;
+      result.target = input.targetDisk;
+    }
+    else
+    {
+      const TriangleMesh source = input.sourceSurface
+        ? oriented(*input.sourceSurface, "source surface")
+        : TriangleMesh{ input.source.points,
+            halveQuads(input.source.points, input.source.quads) };
+      LinkedLoops linked;
+      linked.pairs = boundary.shapePairs;
+      if (input.linking)
+      {
+        linked = link(source, target, *input.linking, input.matchTolerance);
+      }
+      CommonDisks disks = mapPairs(
+        source, target, linked, input.weights, input.matchTolerance, part(progress, 0.05, 0.6));
+      result.source = std::move(disks.first);
+      result.target = std::move(disks.second);
+    }
+    result.quads = projectThroughDisks(input.source.points, used, boundary.nodes, *result.source,
+      *result.target, part(progress, 0.6, 0.7));
+  }
+  // The triangulation of the map, also where it was made here: given maps must give the same bits.
+  improve(result, input, boundary, result.target ? result.target->mesh : target,
+    part(progress, 0.7, 1.0));
+  reportProgress(progress, 1.0);
+  return result;
+}
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief From the quads of the source cap to the quads of the target cap, in one call
+ * (paper section 3.2).
+ */
+#ifndef hexsweep_SweepProjection_h
+#define hexsweep_SweepProjection_h
+
+#include "CommonDiskMap.h"
+#include "QuadPolishing.h"
+#include "QuadProjection.h"
+#include "QuadQuality.h"
+
+#include <optional>
+
+namespace hexsweep
+{
+enum class ProjectionMethod
+{
+  Harmonic,          ///< through the harmonic maps of both caps to a common domain
+  AffineLeastSquares ///< the traditional method, for comparison
+};
+
+struct SweepProjectionInput
+{
+  QuadMesh source;     ///< consistently oriented
+  TriangleMesh target; ///< any orientation
+  /// Structured quads between the caps, any orientation. Without them loops are matched by shape.
+  std::optional<QuadMesh> linking;
+  /// Triangulation of the source cap; without it the quads' own, halved along shorter diagonals.
+  std::optional<TriangleMesh> sourceSurface;
+  /// Disk maps of both caps that were made before, to be used as they are.
+  std::optional<CapDisk> sourceDisk;
+  std::optional<CapDisk> targetDisk;
+  ProjectionMethod method = ProjectionMethod::Harmonic;
+  Weights weights = Weights::Cotangent;
+  double matchTolerance = 1e-6;
+  bool ensureValid = false;    ///< untangle what is inverted, see untangleQuads()
+  bool improveQuality = false; ///< see polishQuads()
+};
+
+struct SweepProjection
+{
+  ProjectedQuads quads;
+  QuadQuality quality; ///< of the quads on the target surface
+  Index invertedBefore = 0; ///< quads that the projection itself inverted
+  int rounds = 0;           ///< descents of untangling and polishing
+  /// The maps that were used; empty for AffineLeastSquares.
+  std::optional<CapDisk> source;
+  std::optional<CapDisk> target;
+  /// See MatchedLoops; empty with linking sides.
+  std::vector<double> startFractions;
+};
+
+/// @throw InvalidInput, SolverFailure, Aborted.
+SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& progress = {});
+
+/**
+ * Maps a cap together with its partner; `first` of the result is the cap, `second` the partner.
+ *
+ * @param linking structured quads between the two; without them loops are matched by shape.
+ */
+CommonDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
+  const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
+  const Progress& progress = {});
+
+/// The quads cut in two along their shorter diagonals.
+Triangles halveQuads(const PointsRef& points, const QuadsRef& quads);
+}
+
+#endif

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepCapDiskGrid.h"
+
+#include "Core/Describe.h"
+#include "Core/SurfaceTopology.h"
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+
+namespace hexsweep
+{
+namespace
+{
+constexpr std::size_t FlipsToName = 10;
+constexpr const char* HoleCirclesName = "HoleCircles";
+constexpr const char* WeightsName = "SweepReportMethod";
+
+const char* nameOf(DiskDomain domain)
+{
+  switch (domain)
+  {
+    case DiskDomain::Annulus:
+      return "Annulus";
+    case DiskDomain::Circles:
+      return "Circles";
+    default:
+      return "Disk";
+  }
+}
+
+DiskDomain domainNamed(const std::string& name)
+{
+  for (const DiskDomain domain : { DiskDomain::Annulus, DiskDomain::Circles })
+  {
+    if (name == nameOf(domain))
+    {
+      return domain;
+    }
+  }
+  return DiskDomain::Disk;
+}
+
+const char* nameOf(Weights weights)
+{
+  return weights == Weights::Cotangent ? "Cotangent" : "MeanValue";
+}
+
+Weights weightsNamed(const std::string& name)
+{
+  return name == nameOf(Weights::MeanValue) ? Weights::MeanValue : Weights::Cotangent;
+}
+
+Points inSpace(const PlanePoints& plane)
+{
+  Points points = Points::Zero(plane.rows(), 3);
+  points.leftCols<2>() = plane;
+  return points;
+}
+
+vtkSmartPointer<vtkDoubleArray> vectors(const char* name, const PointsRef& values)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(values.rows());
+  for (Index i = 0; i < values.rows(); ++i)
+  {
+    array->SetTypedTuple(i, values.row(i).data());
+  }
+  return array;
+}
+
+/// Attributes of the input under the new numbering; ids[i] < 0 gives null values.
+void copyAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
+  const std::vector<Index>& ids, const char* idsName)
+{
+  const vtkIdType count = static_cast<vtkIdType>(ids.size());
+  to->CopyAllOn();
+  to->CopyAllocate(from, count);
+  vtkNew<vtkIdTypeArray> origin;
+  origin->SetName(idsName);
+  origin->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const Index id = ids[static_cast<std::size_t>(i)];
+    if (id >= 0)
+    {
+      to->CopyData(from, id, i);
+    }
+    else
+    {
+      to->NullData(i);
+    }
+    origin->SetValue(i, id);
+  }
+  to->AddArray(origin);
+}
+
+Points arrayPoints(vtkDataArray* array)
+{
+  Points points(array->GetNumberOfTuples(), 3);
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    array->GetTuple(i, points.row(i).data());
+  }
+  return points;
+}
+}
+
+void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* original,
+  int precision, bool outputDisk, vtkUnstructuredGrid* output)
+{
+  const Points disk = inSpace(cap.disk);
+  output->SetPoints(vtkSmartPointer<vtkPoints>::Take(
+    newPoints(outputDisk ? disk : cap.mesh.points, precision)));
+  setCells(output, cap.mesh.triangles, VTK_TRIANGLE);
+
+  std::vector<Index> pointIds;
+  for (Index i = 0; i < cap.mesh.points.rows(); ++i)
+  {
+    pointIds.push_back(i < cap.numberOfOriginalPoints ? i : -1);
+  }
+  std::vector<Index> cellIds;
+  for (const Index face : cap.triangleOrigin)
+  {
+    cellIds.push_back(surface.cellIds[static_cast<std::size_t>(face)]);
+  }
+  copyAttributes(original->GetPointData(), output->GetPointData(), pointIds, OriginalPointIdsName);
+  copyAttributes(original->GetCellData(), output->GetCellData(), cellIds, OriginalCellIdsName);
+  output->GetPointData()->AddArray(vectors(DiskCoordinatesName, disk));
+  if (outputDisk)
+  {
+    output->GetPointData()->AddArray(vectors(SurfacePointsName, cap.mesh.points));
+  }
+
+  vtkFieldData* field = output->GetFieldData();
+  field->PassData(original->GetFieldData());
+  addReport(field, DiskMapDomainName, std::string(nameOf(cap.domain)));
+  addReport(field, WeightsName, std::string(nameOf(cap.weights)));
+  addReport(field, "SweepReportFlipsBefore", cap.flipsBefore);
+  addReport(field, "SweepReportFlipsAfter", static_cast<Index>(cap.flipped.size()));
+  addReport(field, "SweepReportIgnoredCells", surface.ignoredCells);
+  Points circles(static_cast<Index>(cap.holes.size()), 3);
+  for (std::size_t h = 0; h < cap.holes.size(); ++h)
+  {
+    circles.row(static_cast<Index>(h))
+      << cap.holes[h].center.x(), cap.holes[h].center.y(), cap.holes[h].radius;
+  }
+  field->AddArray(vectors(HoleCirclesName, circles));
+}
+
+CapDisk readCapDisk(vtkDataSet* data, const std::string& what)
+{
+  const SurfaceInput surface = readTriangles(data, what);
+  vtkDataArray* disk = data->GetPointData()->GetArray(DiskCoordinatesName);
+  if (!disk || disk->GetNumberOfComponents() != 3)
+  {
+    throw InvalidInput("the " + what + " has no point array " + DiskCoordinatesName +
+      " with 3 components. Apply HarmonicDiskMap to it first, or set DiskMaps to Automatic.");
+  }
+  CapDisk cap;
+  vtkDataArray* ownPoints = data->GetPointData()->GetArray(SurfacePointsName);
+  cap.mesh.points = ownPoints ? arrayPoints(ownPoints) : surface.points;
+  cap.mesh.triangles = surface.faces;
+  cap.triangleOrigin = surface.cellIds;
+  cap.numberOfOriginalPoints = cap.mesh.points.rows();
+  cap.disk = arrayPoints(disk).leftCols<2>();
+  if (!cap.disk.allFinite())
+  {
+    throw InvalidInput("the " + what + ": array " + DiskCoordinatesName +
+      " has values that are not finite. Apply HarmonicDiskMap again.");
+  }
+  const auto* domain =
+    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(DiskMapDomainName));
+  cap.domain = domain && domain->GetNumberOfValues() > 0
+    ? domainNamed(const_cast<vtkStringArray*>(domain)->GetValue(0))
+    : DiskDomain::Disk;
+  const auto* weights =
+    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(WeightsName));
+  cap.weights = weights && weights->GetNumberOfValues() > 0
+    ? weightsNamed(const_cast<vtkStringArray*>(weights)->GetValue(0))
+    : Weights::Cotangent;
+  vtkDataArray* circles = data->GetFieldData()->GetArray(HoleCirclesName);
+  if (circles && circles->GetNumberOfComponents() == 3)
+  {
+    const Points holes = arrayPoints(circles);
+    for (Index h = 0; h < holes.rows(); ++h)
+    {
+      cap.holes.push_back({ holes.row(h).head<2>(), holes(h, 2) });
+    }
+  }
+  cap.loops = checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), what).loops;
+  cap.flipped = domainTriangles(cap.domain, cap.disk, cap.mesh.triangles).flipped;
+  cap.flipsBefore = static_cast<Index>(cap.flipped.size());
+  return cap;
+}
+
+std::string describeFlips(const CapDisk& cap, const std::string& what)
+{
+  if (cap.flipped.empty())
+  {
+    return {};
+  }
+  std::string text = std::to_string(cap.flipped.size()) + " of " +
+    std::to_string(cap.mesh.triangles.rows()) + " triangles of the " + what +
+    " are flipped in the disk (the first at";
+  for (std::size_t i = 0; i < std::min(FlipsToName, cap.flipped.size()); ++i)
+  {
+    const auto triangle = cap.mesh.triangles.row(cap.flipped[i]);
+    const Eigen::RowVector3d center = (cap.mesh.points.row(triangle[0]) +
+                                        cap.mesh.points.row(triangle[1]) +
+                                        cap.mesh.points.row(triangle[2])) /
+      3.0;
+    text += (i > 0 ? ", " : " ") + describe(center);
+  }
+  return text + "): the map is not one-to-one there. A finer or more regular triangulation helps.";
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Disk maps as unstructured grids: how vtkHarmonicDiskMap writes them and how
+ * vtkSweepQuadProjector reads them back. Private to the module.
+ */
+#ifndef HexSweepCapDiskGrid_h
+#define HexSweepCapDiskGrid_h
+
+#include "Core/CapDisk.h"
+#include "HexSweepBridge.h"
+
+namespace hexsweep
+{
+/// Names of the arrays that carry a disk map.
+constexpr const char* DiskCoordinatesName = "DiskCoordinates";
+constexpr const char* SurfacePointsName = "SurfacePoints";
+constexpr const char* OriginalPointIdsName = "OriginalPointIds";
+constexpr const char* OriginalCellIdsName = "OriginalCellIds";
+constexpr const char* DiskMapDomainName = "DiskMapDomain";
+
+/**
+ * Fills the grid with the mapped triangles, the arrays above, the attributes of the input's cells
+ * and points (null values on added points), and the field data of the map.
+ *
+ * @param surface    what the cap was read from; `original` its data set.
+ * @param outputDisk put the points into the disk, the surface's own into `SurfacePoints`.
+ */
+void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* original,
+  int precision, bool outputDisk, vtkUnstructuredGrid* output);
+
+/// @throw InvalidInput when the data set carries no disk map.
+CapDisk readCapDisk(vtkDataSet* data, const std::string& what);
+
+/// What to tell the user about triangles that are flipped in the disk; empty if there are none.
+std::string describeFlips(const CapDisk& cap, const std::string& what);
+}
+
+#endif

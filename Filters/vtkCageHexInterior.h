@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCageHexInterior
+ * @brief Fills a swept volume with hexahedra between its meshed caps and linking sides.
+ *
+ * The last step of one-to-one sweeping, section 4 of S. Cai and T. J. Tautges, "Robust One-to-One
+ * Sweeping with Harmonic S-T Mappings and Cages", 22nd International Meshing Roundtable, 2013:
+ * source quads, target quads and linking sides form a cage; the interior nodes are placed in it.
+ *
+ * Inputs, vtkUnstructuredGrid or vtkPolyData (vertex and line cells are ignored):
+ * - port 0 `SourceQuads`: the quads of the source cap, oriented consistently, either way;
+ * - port 1 `TargetQuads`: the same points and cells in the same order on the target cap (see
+ *   vtkSweepQuadProjector), of any orientation;
+ * - port 2 `LinkingSides`: structured quads between the loops, of any orientation; patches may
+ *   repeat the points of their seams.
+ *
+ * Output, N source points, M source quads, L layers: hexahedron k*M + j is source quad j in layer
+ * k, point k*N + i is source point i on layer k (0 the source, L the target). Hexahedra are
+ * right-handed whichever way the quads face. Points that no quad uses keep their place in the
+ * numbering.
+ *
+ * Arrays: point `SourcePointIds`, `SweepLayer`; cell `SourceCellIds`, `SweepLayer`,
+ * `ScaledJacobian` (as Verdict defines it); point and cell data of the source quads on every
+ * layer; field data of source and target quads. Reported in the field data: `SweepReportHexes`,
+ * `SweepReportInverted`, `SweepReportMinScaledJacobian`, `SweepReportMeanScaledJacobian`,
+ * `SweepReportMethod` (what really ran), `SweepReportStages` and `SweepReportSeconds`.
+ *
+ * Inverted or degenerate hexahedra raise a warning that says how many, where the first ten are and
+ * what to do. Input that cannot be swept raises one error, and the output is empty.
+ */
+#ifndef vtkCageHexInterior_h
+#define vtkCageHexInterior_h
+
+#include "vtkFiltersHexSweepModule.h" // For export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKFILTERSHEXSWEEP_EXPORT vtkCageHexInterior : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkCageHexInterior* New();
+  vtkTypeMacro(vtkCageHexInterior, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The quads of the source cap: port 0.
+  void SetSourceQuadsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(0, output); }
+  void SetSourceQuadsData(vtkDataObject* data) { this->SetInputData(0, data); }
+  ///@}
+
+  ///@{
+  /// The same quads on the target cap: port 1.
+  void SetTargetQuadsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetTargetQuadsData(vtkDataObject* data) { this->SetInputData(1, data); }
+  ///@}
+
+  ///@{
+  /// The structured quads of the linking sides: port 2.
+  void SetLinkingSidesConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(2, output);
+  }
+  void SetLinkingSidesData(vtkDataObject* data) { this->SetInputData(2, data); }
+  ///@}
+
+  /// How the interior nodes are placed.
+  enum MethodType
+  {
+    AUTOMATIC = 0,            ///< the strongest method there is: Blend
+    BLEND = 1,                ///< affine images of both caps blended, corrected harmonically
+    AFFINE_BOUNDARY_ERROR = 6 ///< affine maps and residuals by inverse distance, for comparison
+  };
+
+  ///@{
+  /**
+   * The method; AUTOMATIC by default. `SweepReportMethod` in the field data of the output says what
+   * ran.
+   */
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC); }
+  void SetMethodToBlend() { this->SetMethod(BLEND); }
+  void SetMethodToAffineBoundaryError() { this->SetMethod(AFFINE_BOUNDARY_ERROR); }
+  ///@}
+
+  ///@{
+  /**
+   * Distance up to which a loop node and a linking node count as the same point, relative to the
+   * shortest mesh edge at the node, in [0, 0.1]. 1e-6 by default; the rounding of single precision
+   * files is allowed for on top of it. Nodes so matched are snapped to the caps.
+   */
+  vtkSetClampMacro(MatchTolerance, double, 0.0, 0.1);
+  vtkGetMacro(MatchTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the output points, a vtkAlgorithm::DesiredOutputPrecision. DEFAULT_PRECISION (the
+   * default) means double. Quality is judged on the coordinates as stored.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Raise an error and return an empty output where a hexahedron is inverted or degenerate, instead
+   * of a warning. Off by default.
+   */
+  vtkSetMacro(FailIfInvalid, bool);
+  vtkGetMacro(FailIfInvalid, bool);
+  vtkBooleanMacro(FailIfInvalid, bool);
+  ///@}
+
+protected:
+  vtkCageHexInterior();
+  ~vtkCageHexInterior() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkCageHexInterior(const vtkCageHexInterior&) = delete;
+  void operator=(const vtkCageHexInterior&) = delete;
+
+  int Method = AUTOMATIC;
+  double MatchTolerance = 1e-6;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool FailIfInvalid = false;
+};
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHarmonicDiskMap.h"
+
+#include "Core/CanonicalDiskMap.h"
+#include "Core/SurfaceTopology.h"
+#include "Core/SweepProjection.h"
+#include "HexSweepBridge.h"
+#include "HexSweepCapDiskGrid.h"
+
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <utility>
+
+vtkStandardNewMacro(vtkHarmonicDiskMap);
+
+//------------------------------------------------------------------------------
+vtkHarmonicDiskMap::vtkHarmonicDiskMap()
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicDiskMap::FillInputPortInformation(int port, vtkInformation* info)
+{
+  hexsweep::acceptSurfaces(info);
+  info->Set(INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicDiskMap::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using namespace hexsweep;
+  return runFilter(this, outputs, [&] {
+    vtkDataSet* input = inputDataSet(inputs, 0);
+    if (isEmptyPiece(outputs, input, "input surface"))
+    {
+      return;
+    }
+    const SurfaceInput surface = readTriangles(input, "input surface");
+    const hexsweep::Weights weights =
+      this->Weights == COTANGENT ? hexsweep::Weights::Cotangent : hexsweep::Weights::MeanValue;
+    const TriangleMesh mesh{ surface.points, surface.faces };
+    CapDisk cap;
+    if (vtkDataSet* partner = inputDataSet(inputs, 1))
+    {
+      const SurfaceInput other = readTriangles(partner, "partner surface");
+      cap = mapLinkedCaps(mesh, { other.points, other.faces },
+        readOptionalQuads(inputDataSet(inputs, 2), "linking sides"), weights,
+        this->MatchTolerance, pipelineProgress(this, 0.1, 0.9))
+              .first;
+    }
+    else
+    {
+      reportProgress(pipelineProgress(this), 0.1);
+      cap = canonicalDiskMap({ mesh.points, orientFaces(mesh.triangles, "input surface") },
+        this->HoleTreatment == FILLED ? hexsweep::HoleTreatment::Filled
+                                      : hexsweep::HoleTreatment::ArcLength,
+        weights);
+    }
+    const std::string flips = describeFlips(cap, "input surface");
+    if (!flips.empty())
+    {
+      vtkWarningMacro(<< flips);
+    }
+    writeCapDisk(cap, surface, input, this->OutputPointsPrecision, this->OutputDisk,
+      vtkUnstructuredGrid::GetData(outputs));
+    reportProgress(pipelineProgress(this), 1.0);
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicDiskMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Weights: " << this->Weights << "\n";
+  os << indent << "HoleTreatment: " << this->HoleTreatment << "\n";
+  os << indent << "OutputDisk: " << this->OutputDisk << "\n";
+  os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}

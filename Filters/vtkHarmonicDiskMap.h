@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkHarmonicDiskMap
+ * @brief Maps a cap of a swept volume to the unit disk.
+ *
+ * A cap is a surface of genus 0 with one or more boundary loops. Its longest loop goes to the unit
+ * circle, the interior is harmonic in the surface's own metric. Section 3.1 of S. Cai, T. J.
+ * Tautges, "Robust One-to-One Sweeping with Harmonic S-T Mappings and Cages", 22nd International
+ * Meshing Roundtable, 2013.
+ *
+ * Alone, this is the disk map of one cap. With the other cap of the sweep as Partner it is the map
+ * into a domain that both share: map each cap with the other as its partner and the same linking
+ * sides, and vtkSweepQuadProjector (DiskMaps = FromInput) carries quads from one to the other. The
+ * shared domain is the unit disk (one loop), an annulus (two), or the disk with circular holes.
+ *
+ * Inputs (vtkUnstructuredGrid or vtkPolyData; polygons and strips are triangulated):
+ * - 0 Input: the cap.
+ * - 1 Partner (optional): the other cap.
+ * - 2 LinkingSides (optional, used with a partner): structured quads between the two caps. Without
+ *   them loops are matched by shape.
+ *
+ * Output: the triangles of the cap with the point arrays `DiskCoordinates` (3 components, z = 0),
+ * `OriginalPointIds` (-1 on points that were added at the end: where the partner has a boundary
+ * node, and on chords) and the cell array `OriginalCellIds`. Field data: `DiskMapDomain` (Disk,
+ * Annulus or Circles), `HoleCircles` (centre x, y, radius), `SweepReportMethod` (the weights that
+ * were used in the end), `SweepReportFlipsBefore` and `SweepReportFlipsAfter` (triangles flipped
+ * with the wanted weights, and in the result), `SweepReportIgnoredCells` (vertices and lines).
+ *
+ * In an annulus the map is linear in (log r, angle) over each triangle; flips are counted there.
+ * Flips that remain raise a warning.
+ */
+#ifndef vtkHarmonicDiskMap_h
+#define vtkHarmonicDiskMap_h
+
+#include "vtkFiltersHexSweepModule.h" // For export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKFILTERSHEXSWEEP_EXPORT vtkHarmonicDiskMap : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkHarmonicDiskMap* New();
+  vtkTypeMacro(vtkHarmonicDiskMap, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Edge weights of the harmonic energy.
+  enum WeightsType
+  {
+    COTANGENT = 0, ///< exact for the metric; mean value weights replace them where they fold
+    MEAN_VALUE = 1 ///< positive on every triangulation
+  };
+
+  /// Where holes go when a cap is mapped alone.
+  enum HoleTreatmentType
+  {
+    ARC_LENGTH = 1, ///< circles; nodes on them by arc length
+    FILLED = 2      ///< wherever the harmonic map of the cap with filled holes puts them
+  };
+
+  ///@{
+  /// COTANGENT by default.
+  vtkSetClampMacro(Weights, int, COTANGENT, MEAN_VALUE);
+  vtkGetMacro(Weights, int);
+  void SetWeightsToCotangent() { this->SetWeights(COTANGENT); }
+  void SetWeightsToMeanValue() { this->SetWeights(MEAN_VALUE); }
+  ///@}
+
+  ///@{
+  /// ARC_LENGTH by default. Without a partner only.
+  vtkSetClampMacro(HoleTreatment, int, ARC_LENGTH, FILLED);
+  vtkGetMacro(HoleTreatment, int);
+  void SetHoleTreatmentToArcLength() { this->SetHoleTreatment(ARC_LENGTH); }
+  void SetHoleTreatmentToFilled() { this->SetHoleTreatment(FILLED); }
+  ///@}
+
+  ///@{
+  /// Put the output points in the disk and the surface's own in the point array `SurfacePoints`.
+  /// Off by default.
+  vtkSetMacro(OutputDisk, bool);
+  vtkGetMacro(OutputDisk, bool);
+  vtkBooleanMacro(OutputDisk, bool);
+  ///@}
+
+  ///@{
+  /// Distance up to which nodes of a cap and of the linking sides are one, relative to the local
+  /// edge length. 1e-6 by default, in [0, 0.1].
+  vtkSetClampMacro(MatchTolerance, double, 0.0, 0.1);
+  vtkGetMacro(MatchTolerance, double);
+  ///@}
+
+  ///@{
+  /// vtkAlgorithm::DesiredOutputPrecision of the points; the default precision is double.
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /// Connect ports 1 and 2 by name.
+  void SetPartnerConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetLinkingSidesConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(2, output);
+  }
+  ///@}
+
+protected:
+  vtkHarmonicDiskMap();
+  ~vtkHarmonicDiskMap() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkHarmonicDiskMap(const vtkHarmonicDiskMap&) = delete;
+  void operator=(const vtkHarmonicDiskMap&) = delete;
+
+  int Weights = COTANGENT;
+  int HoleTreatment = ARC_LENGTH;
+  bool OutputDisk = false;
+  double MatchTolerance = 1e-6;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+};
+
+#endif

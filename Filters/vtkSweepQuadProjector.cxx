@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSweepQuadProjector.h"
+
+#include "Core/Describe.h"
+#include "Core/SweepProjection.h"
+#include "HexSweepBridge.h"
+#include "HexSweepCapDiskGrid.h"
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <utility>
+
+vtkStandardNewMacro(vtkSweepQuadProjector);
+
+namespace
+{
+using namespace hexsweep;
+
+constexpr Index QuadsToName = 10;
+
+/// The source quads' cells and data on new points, with their quality.
+void writeQuads(const SweepProjection& projection, const SurfaceInput& quads, vtkDataSet* source,
+  int precision, vtkUnstructuredGrid* output)
+{
+  output->SetPoints(
+    vtkSmartPointer<vtkPoints>::Take(newPoints(projection.quads.points, precision)));
+  setCells(output, quads.faces, VTK_QUAD);
+  output->GetPointData()->PassData(source->GetPointData());
+  vtkCellData* cellData = output->GetCellData();
+  cellData->CopyAllocate(source->GetCellData(), quads.faces.rows());
+  vtkNew<vtkDoubleArray> jacobian;
+  jacobian->SetName("ScaledJacobian");
+  jacobian->SetNumberOfValues(quads.faces.rows());
+  for (Index q = 0; q < quads.faces.rows(); ++q)
+  {
+    cellData->CopyData(source->GetCellData(), quads.cellIds[static_cast<std::size_t>(q)], q);
+    jacobian->SetValue(q, projection.quality.scaledJacobian[q]);
+  }
+  cellData->AddArray(jacobian);
+}
+
+void writeReport(const SweepProjection& projection, ProjectionMethod method, vtkFieldData* field)
+{
+  addReport(field, "SweepReportMethod",
+    std::string(method == ProjectionMethod::Harmonic ? "Harmonic" : "AffineLeastSquares"));
+  addReport(field, "SweepReportInvertedQuads", projection.quality.inverted);
+  addReport(field, "SweepReportInvertedBefore", projection.invertedBefore);
+  addReport(field, "SweepReportRounds", static_cast<Index>(projection.rounds));
+  addReport(field, "SweepReportMinScaledJacobian", projection.quality.minimum);
+  addReport(field, "SweepReportMeanScaledJacobian", projection.quality.mean);
+  addReport(field, "SweepReportMaximumSourceDistance", projection.quads.maximumSourceDistance);
+  addReport(field, "SweepReportOutside", projection.quads.outside);
+  if (projection.source)
+  {
+    addReport(field, "SweepReportFlipsBefore",
+      projection.source->flipsBefore + projection.target->flipsBefore);
+    addReport(field, "SweepReportFlipsAfter",
+      static_cast<Index>(projection.source->flipped.size() + projection.target->flipped.size()));
+  }
+  if (!projection.startFractions.empty())
+  {
+    addReport(field, "SweepReportLoopStarts", projection.startFractions);
+  }
+}
+
+/// What to tell the user about inverted quads; empty if there are none.
+std::string describeInverted(const SweepProjection& projection, const QuadsRef& quads)
+{
+  if (projection.quality.inverted == 0)
+  {
+    return {};
+  }
+  std::string text = std::to_string(projection.quality.inverted) + " of " +
+    std::to_string(quads.rows()) + " quads are inverted on the target cap:";
+  Index named = 0;
+  for (Index q = 0; q < quads.rows() && named < QuadsToName; ++q)
+  {
+    if (!(projection.quality.scaledJacobian[q] > 0.0))
+    {
+      Eigen::RowVector3d center = Eigen::RowVector3d::Zero();
+      for (Index c = 0; c < 4; ++c)
+      {
+        center += 0.25 * projection.quads.points.row(quads(q, c));
+      }
+      text += (named++ > 0 ? ", cell " : " cell ") + std::to_string(q) + " at " + describe(center);
+    }
+  }
+  return text + ". Hexes on them will be inverted too: refine the source quads there.";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSweepQuadProjector::vtkSweepQuadProjector()
+{
+  this->SetNumberOfInputPorts(4);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+int vtkSweepQuadProjector::FillInputPortInformation(int port, vtkInformation* info)
+{
+  acceptSurfaces(info);
+  info->Set(INPUT_IS_OPTIONAL(), port < 2 ? 0 : 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSweepQuadProjector::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return runFilter(this, outputs, [&] { this->Execute(inputs, outputs); });
+}
+
+//------------------------------------------------------------------------------
+void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* source = inputDataSet(inputs, 0);
+  vtkDataSet* target = inputDataSet(inputs, 1);
+  vtkDataSet* sourceSurface = inputDataSet(inputs, 3);
+  if (isEmptyPiece(outputs, source, "source quads"))
+  {
+    return;
+  }
+  const SurfaceInput quads = readQuads(source, "source quads");
+  const SurfaceInput triangles = readTriangles(target, "target surface");
+  SurfaceInput sourceTriangles;
+
+  SweepProjectionInput input;
+  input.source = { quads.points, quads.faces };
+  input.target = { triangles.points, triangles.faces };
+  input.linking = readOptionalQuads(inputDataSet(inputs, 2), "linking sides");
+  input.method = this->Method == HARMONIC ? ProjectionMethod::Harmonic
+                                          : ProjectionMethod::AffineLeastSquares;
+  input.matchTolerance = this->MatchTolerance;
+  input.ensureValid = this->EnsureValid;
+  input.improveQuality = this->ImproveQuality;
+  if (sourceSurface)
+  {
+    sourceTriangles = readTriangles(sourceSurface, "source surface");
+    input.sourceSurface = TriangleMesh{ sourceTriangles.points, sourceTriangles.faces };
+  }
+  else
+  {
+    sourceTriangles.cellIds.reserve(quads.cellIds.size() * 2);
+    for (const Index id : quads.cellIds)
+    {
+      sourceTriangles.cellIds.insert(sourceTriangles.cellIds.end(), 2, id);
+    }
+  }
+  if (this->DiskMaps == FROM_INPUT && input.method == ProjectionMethod::Harmonic)
+  {
+    if (!sourceSurface)
+    {
+      throw InvalidInput("DiskMaps is FromInput, but the source surface is missing. Connect the "
+                         "source cap with its disk map to SourceSurface.");
+    }
+    input.sourceDisk = readCapDisk(sourceSurface, "source surface");
+    input.targetDisk = readCapDisk(target, "target surface");
+  }
+
+  const SweepProjection projection = projectSweep(input, pipelineProgress(this, 0.1, 0.9));
+
+  auto* output = vtkUnstructuredGrid::GetData(outputs, 0);
+  writeQuads(projection, quads, source, this->OutputPointsPrecision, output);
+  output->GetFieldData()->PassData(source->GetFieldData());
+  writeReport(projection, input.method, output->GetFieldData());
+  if (projection.source)
+  {
+    writeCapDisk(*projection.source, sourceTriangles, sourceSurface ? sourceSurface : source,
+      this->OutputPointsPrecision, false, vtkUnstructuredGrid::GetData(outputs, 1));
+    writeCapDisk(*projection.target, triangles, target, this->OutputPointsPrecision, false,
+      vtkUnstructuredGrid::GetData(outputs, 2));
+    for (const auto& [cap, name] : { std::make_pair(&*projection.source, "source surface"),
+           std::make_pair(&*projection.target, "target surface") })
+    {
+      const std::string flips = describeFlips(*cap, name);
+      if (!flips.empty())
+      {
+        vtkWarningMacro(<< flips);
+      }
+    }
+  }
+  const std::string inverted = describeInverted(projection, input.source.quads);
+  if (!inverted.empty())
+  {
+    vtkWarningMacro(<< inverted);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSweepQuadProjector::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "DiskMaps: " << this->DiskMaps << "\n";
+  os << indent << "EnsureValid: " << this->EnsureValid << "\n";
+  os << indent << "ImproveQuality: " << this->ImproveQuality << "\n";
+  os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}

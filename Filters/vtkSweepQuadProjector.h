@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSweepQuadProjector
+ * @brief Carries the quad mesh of the source cap to the target cap of a swept volume.
+ *
+ * Both caps are mapped harmonically to a domain that they share; each interior node goes from the
+ * source surface through the domain to the target surface, each boundary node to the end of its
+ * column of the linking sides. Section 3.2 of S. Cai, T. J. Tautges, "Robust One-to-One Sweeping
+ * with Harmonic S-T Mappings and Cages", 22nd International Meshing Roundtable, 2013.
+ *
+ * Inputs (vtkUnstructuredGrid or vtkPolyData):
+ * - 0 SourceQuads: all-quad mesh of the source cap, consistently oriented.
+ * - 1 TargetSurface: the target cap (polygons and strips are triangulated).
+ * - 2 LinkingSides (optional): structured quads between the caps; the first ring's nodes are the
+ *   boundary nodes of the source quads. Without them loops are matched by shape and arc length;
+ *   `SweepReportLoopStarts` then tells the start that was chosen on each loop.
+ * - 3 SourceSurface (optional): triangulation of the source cap; the quads' own otherwise.
+ *
+ * Outputs:
+ * - 0 the quads on the target cap: the points of the source quads in the same order, the same
+ *   cells with the same data, and the cell array `ScaledJacobian`, measured against the normal of
+ *   the target surface. Field data: `SweepReportMethod`, `SweepReportInvertedQuads` and
+ *   `SweepReportInvertedBefore` (as projected, before EnsureValid), `SweepReportRounds` (descents),
+ *   `SweepReportMinScaledJacobian`, `SweepReportMeanScaledJacobian`,
+ *   `SweepReportMaximumSourceDistance` (of interior nodes from the source surface),
+ *   `SweepReportOutside` (nodes that lay in no triangle of the target's disk map),
+ *   `SweepReportFlipsBefore`, `SweepReportFlipsAfter` (both caps).
+ * - 1, 2 source and target cap in their disk, as vtkHarmonicDiskMap gives them; empty for
+ *   AFFINE_LEAST_SQUARES.
+ *
+ * Inverted quads and flipped triangles raise warnings.
+ */
+#ifndef vtkSweepQuadProjector_h
+#define vtkSweepQuadProjector_h
+
+#include "vtkFiltersHexSweepModule.h" // For export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKFILTERSHEXSWEEP_EXPORT vtkSweepQuadProjector : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkSweepQuadProjector* New();
+  vtkTypeMacro(vtkSweepQuadProjector, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How interior nodes find their place.
+  enum MethodType
+  {
+    HARMONIC = 0,            ///< through harmonic maps to a common domain
+    AFFINE_LEAST_SQUARES = 2 ///< affine map fitted to the loops, then along the normal
+  };
+
+  /// Where the disk maps of HARMONIC come from.
+  enum DiskMapsType
+  {
+    AUTOMATIC = 0, ///< made here
+    FROM_INPUT = 1 ///< `DiskCoordinates` of TargetSurface and SourceSurface
+  };
+
+  ///@{
+  /// HARMONIC by default.
+  vtkSetClampMacro(Method, int, HARMONIC, AFFINE_LEAST_SQUARES);
+  vtkGetMacro(Method, int);
+  void SetMethodToHarmonic() { this->SetMethod(HARMONIC); }
+  void SetMethodToAffineLeastSquares() { this->SetMethod(AFFINE_LEAST_SQUARES); }
+  ///@}
+
+  ///@{
+  /// AUTOMATIC by default. FROM_INPUT needs both surfaces from vtkHarmonicDiskMap, each mapped with
+  /// the other as its partner.
+  vtkSetClampMacro(DiskMaps, int, AUTOMATIC, FROM_INPUT);
+  vtkGetMacro(DiskMaps, int);
+  void SetDiskMapsToAutomatic() { this->SetDiskMaps(AUTOMATIC); }
+  void SetDiskMapsToFromInput() { this->SetDiskMaps(FROM_INPUT); }
+  ///@}
+
+  ///@{
+  /// Move inner nodes over the target surface until no quad is inverted (foldover-free
+  /// optimisation). The result is never worse than the projection. On by default.
+  vtkSetMacro(EnsureValid, bool);
+  vtkGetMacro(EnsureValid, bool);
+  vtkBooleanMacro(EnsureValid, bool);
+  ///@}
+
+  ///@{
+  /// Improve the quads afterwards, the worst first, then the mean; never lowers the least scaled
+  /// Jacobian. On by default. Meshes with inverted quads are left as they are.
+  vtkSetMacro(ImproveQuality, bool);
+  vtkGetMacro(ImproveQuality, bool);
+  vtkBooleanMacro(ImproveQuality, bool);
+  ///@}
+
+  ///@{
+  /// Distance up to which nodes of different inputs are one, relative to the local edge length.
+  /// 1e-6 by default, in [0, 0.1].
+  vtkSetClampMacro(MatchTolerance, double, 0.0, 0.1);
+  vtkGetMacro(MatchTolerance, double);
+  ///@}
+
+  ///@{
+  /// vtkAlgorithm::DesiredOutputPrecision of the points; the default precision is double.
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /// Connect the ports by name.
+  void SetSourceQuadsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(0, output); }
+  void SetTargetSurfaceConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(1, output);
+  }
+  void SetLinkingSidesConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(2, output);
+  }
+  void SetSourceSurfaceConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(3, output);
+  }
+  ///@}
+
+protected:
+  vtkSweepQuadProjector();
+  ~vtkSweepQuadProjector() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSweepQuadProjector(const vtkSweepQuadProjector&) = delete;
+  void operator=(const vtkSweepQuadProjector&) = delete;
+
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+  int Method = HARMONIC;
+  int DiskMaps = AUTOMATIC;
+  bool EnsureValid = true;
+  bool ImproveQuality = true;
+  double MatchTolerance = 1e-6;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+};
+
+#endif

@@ -1,0 +1,580 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkHarmonicDiskMap: what it takes, what it carries, what it refuses.
+#include "CapGrids.h"
+
+#include <vtkHarmonicDiskMap.h>
+
+#include <vtkIdTypeArray.h>
+#include <vtkSphereSource.h>
+#include <vtkTriangle.h>
+
+namespace
+{
+using test::Corners;
+using test::expectOneError;
+using test::Grid;
+using test::report;
+using test::textReport;
+
+struct Map
+{
+  vtkNew<vtkHarmonicDiskMap> filter;
+  test::Events events;
+
+  explicit Map(
+    vtkDataObject* input, vtkDataObject* partner = nullptr, vtkDataObject* linking = nullptr)
+    : events(filter)
+  {
+    this->filter->SetInputData(0, input);
+    if (partner)
+    {
+      this->filter->SetInputData(1, partner);
+    }
+    if (linking)
+    {
+      this->filter->SetInputData(2, linking);
+    }
+  }
+  vtkUnstructuredGrid* run()
+  {
+    this->filter->Update();
+    EXPECT_TRUE(this->events.errors.empty()) << this->events.errors[0];
+    EXPECT_TRUE(this->events.warnings.empty()) << this->events.warnings[0];
+    return this->filter->GetOutput();
+  }
+};
+
+std::array<double, 3> diskPoint(vtkDataSet* output, vtkIdType i)
+{
+  std::array<double, 3> p;
+  output->GetPointData()->GetArray("DiskCoordinates")->GetTuple(i, p.data());
+  return p;
+}
+
+double greatestDiskDistance(vtkDataSet* a, vtkDataSet* b)
+{
+  EXPECT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  double greatest = 0.0;
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    greatest = std::max(greatest, test::distance(diskPoint(a, i), diskPoint(b, i)));
+  }
+  return greatest;
+}
+
+vtkIdType idOf(vtkDataSetAttributes* data, const char* name, vtkIdType i)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(data->GetArray(name));
+  EXPECT_NE(ids, nullptr) << name;
+  return ids ? ids->GetValue(i) : -2;
+}
+
+/// Every triangle is part of the input cell that it names; original points come first.
+void expectOriginals(vtkUnstructuredGrid* output, vtkDataSet* input)
+{
+  ASSERT_GE(output->GetNumberOfPoints(), input->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const bool original = i < input->GetNumberOfPoints();
+    EXPECT_EQ(idOf(output->GetPointData(), "OriginalPointIds", i), original ? i : -1);
+    if (original)
+    {
+      EXPECT_EQ(test::pointOf(output, i), test::pointOf(input, i));
+    }
+  }
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    ASSERT_EQ(output->GetCellType(c), VTK_TRIANGLE);
+    const vtkIdType origin = idOf(output->GetCellData(), "OriginalCellIds", c);
+    ASSERT_GE(origin, 0);
+    ASSERT_LT(origin, input->GetNumberOfCells());
+    vtkCell* cell = input->GetCell(origin);
+    std::array<double, 3> center{ 0, 0, 0 };
+    for (const vtkIdType p : test::cornersOf(output, c))
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        center[k] += test::pointOf(output, p)[k] / 3.0;
+      }
+    }
+    double closest[3];
+    double parametric[3];
+    double weights[32];
+    double distance2 = 0.0;
+    int subId = 0;
+    const int status =
+      cell->EvaluatePosition(center.data(), closest, subId, parametric, distance2, weights);
+    EXPECT_EQ(status, 1);
+    EXPECT_LT(distance2, 1e-20 * input->GetLength() * input->GetLength());
+  }
+}
+
+Grid moebiusStrip()
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<Corners> quads;
+  const vtkIdType n = 9;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * static_cast<double>(i) / static_cast<double>(n);
+    for (const double side : { -0.3, 0.3 })
+    {
+      const double r = 1.0 + side * std::cos(angle / 2.0);
+      points.push_back({ r * std::cos(angle), r * std::sin(angle), side * std::sin(angle / 2.0) });
+    }
+    const bool last = i + 1 == n;
+    quads.push_back({ 2 * i, last ? 1 : 2 * i + 2, last ? 0 : 2 * i + 3, 2 * i + 1 });
+  }
+  return test::gridOf(points, quads, VTK_QUAD);
+}
+}
+
+TEST(HarmonicDiskMap, OneLoopAlone)
+{
+  const Grid input = test::readGrid("ubend/target_surface");
+  Map map(input);
+  vtkUnstructuredGrid* output = map.run();
+  expectOriginals(output, input);
+  EXPECT_EQ(textReport(output, "DiskMapDomain"), "Disk");
+  EXPECT_EQ(textReport(output, "SweepReportMethod"), "Cotangent");
+  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+  EXPECT_EQ(report(output, "SweepReportIgnoredCells"), 0);
+  EXPECT_EQ(output->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples(), 0);
+  std::set<vtkIdType> rim;
+  for (const auto& side : test::boundaryOf(output))
+  {
+    rim.insert(side.first);
+  }
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const auto p = diskPoint(output, i);
+    EXPECT_EQ(p[2], 0.0);
+    const double r = std::hypot(p[0], p[1]);
+    if (rim.count(i))
+    {
+      EXPECT_NEAR(r, 1.0, 1e-14);
+    }
+    else
+    {
+      EXPECT_LT(r, 1.0);
+    }
+  }
+}
+
+TEST(HarmonicDiskMap, TreatmentsAndWeightsOfACapWithAHole)
+{
+  const Grid input = test::readGrid("taper10/target_surface");
+  for (const bool filled : { false, true })
+  {
+    for (const bool meanValue : { false, true })
+    {
+      Map map(input);
+      filled ? map.filter->SetHoleTreatmentToFilled() : map.filter->SetHoleTreatmentToArcLength();
+      meanValue ? map.filter->SetWeightsToMeanValue() : map.filter->SetWeightsToCotangent();
+      vtkUnstructuredGrid* output = map.run();
+      expectOriginals(output, input);
+      EXPECT_EQ(textReport(output, "DiskMapDomain"), filled ? "Disk" : "Circles");
+      EXPECT_EQ(textReport(output, "SweepReportMethod"), meanValue ? "MeanValue" : "Cotangent");
+      EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+      vtkDataArray* circles = output->GetFieldData()->GetArray("HoleCircles");
+      ASSERT_EQ(circles->GetNumberOfTuples(), filled ? 0 : 1);
+      for (const auto& side : test::boundaryOf(output))
+      {
+        const auto p = diskPoint(output, side.first);
+        const bool onRim = std::abs(std::hypot(p[0], p[1]) - 1.0) < 1e-13;
+        if (!filled && !onRim)
+        {
+          EXPECT_NEAR(
+            std::hypot(p[0] - circles->GetComponent(0, 0), p[1] - circles->GetComponent(0, 1)),
+            circles->GetComponent(0, 2), 1e-14);
+        }
+      }
+    }
+  }
+}
+
+TEST(HarmonicDiskMap, WithAPartnerBothCapsShareTheirLoops)
+{
+  const std::map<std::string, std::string> domains{ { "ubend", "Disk" }, { "taper10", "Annulus" } };
+  for (const auto& [name, domain] : domains)
+  {
+    const test::SweepGrids sweep = test::readCase(name);
+    Map one(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+    Map other(sweep.targetSurface, sweep.sourceSurface, sweep.linkingSides);
+    vtkUnstructuredGrid* source = one.run();
+    vtkUnstructuredGrid* target = other.run();
+    expectOriginals(source, sweep.sourceSurface);
+    expectOriginals(target, sweep.targetSurface);
+    EXPECT_EQ(textReport(source, "DiskMapDomain"), domain);
+    EXPECT_EQ(textReport(target, "DiskMapDomain"), domain);
+    const auto sourceRim = test::boundaryOf(source);
+    const auto targetRim = test::boundaryOf(target);
+    ASSERT_EQ(sourceRim.size(), targetRim.size());
+    for (const auto& side : sourceRim)
+    {
+      double nearest = 1.0;
+      for (const auto& opposite : targetRim)
+      {
+        nearest = std::min(nearest,
+          test::distance(diskPoint(source, side.first), diskPoint(target, opposite.first)));
+      }
+      EXPECT_LT(nearest, 1e-13);
+    }
+  }
+}
+
+TEST(HarmonicDiskMap, CirclesForMoreLoops)
+{
+  const test::SweepGrids sweep = test::plateSweep(3);
+  Map map(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+  vtkUnstructuredGrid* output = map.run();
+  EXPECT_EQ(textReport(output, "DiskMapDomain"), "Circles");
+  EXPECT_EQ(output->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples(), 3);
+}
+
+TEST(HarmonicDiskMap, DataAreCarried)
+{
+  const test::SweepGrids sweep = test::readCase("taper10");
+  const Grid input = test::withData(sweep.sourceSurface);
+  Map map(input, sweep.targetSurface, sweep.linkingSides);
+  vtkUnstructuredGrid* output = map.run();
+  vtkDataArray* points = output->GetPointData()->GetArray("PointNumber");
+  vtkDataArray* cells = output->GetCellData()->GetArray("CellNumber");
+  ASSERT_NE(points, nullptr);
+  ASSERT_NE(cells, nullptr);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(
+      points->GetTuple1(i), i < input->GetNumberOfPoints() ? 100.0 + static_cast<double>(i) : 0.0);
+  }
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    EXPECT_EQ(cells->GetTuple1(c),
+      1000.0 + static_cast<double>(idOf(output->GetCellData(), "OriginalCellIds", c)));
+  }
+  EXPECT_EQ(report(output, "Note"), 7.0);
+  // The input is not written to.
+  EXPECT_EQ(input->GetPointData()->GetNumberOfArrays(), 1);
+  EXPECT_EQ(input->GetFieldData()->GetNumberOfArrays(), 1);
+}
+
+TEST(HarmonicDiskMap, VertexAndLineCellsAreIgnoredAndCounted)
+{
+  const Grid plain = test::readGrid("ubend/target_surface");
+  const Grid mixed = test::withVerticesAndLines(plain);
+  Map map(mixed);
+  vtkUnstructuredGrid* output = map.run();
+  EXPECT_EQ(report(output, "SweepReportIgnoredCells"), 3);
+  expectOriginals(output, mixed);
+  Map reference(plain);
+  EXPECT_EQ(greatestDiskDistance(output, reference.run()), 0.0);
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    EXPECT_EQ(output->GetCellData()->GetArray("Number")->GetTuple1(c),
+      static_cast<double>(idOf(output->GetCellData(), "OriginalCellIds", c)));
+  }
+}
+
+TEST(HarmonicDiskMap, PolyDataGivesTheSameMap)
+{
+  const Grid grid = test::readGrid("taper10/target_surface");
+  Map fromGrid(grid);
+  Map fromPolyData(test::polyData(grid));
+  test::expectSameBits(fromGrid.run(), fromPolyData.run());
+}
+
+TEST(HarmonicDiskMap, StripsQuadsAndPolygons)
+{
+  // One plane plate as triangle strips, as quads, as hexagons with corners of 180 degrees.
+  const int n = 6;
+  std::vector<std::array<double, 3>> points;
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      points.push_back({ 1.0 * i, 1.5 * j, 0.0 });
+    }
+  }
+  const auto at = [](int i, int j) { return static_cast<vtkIdType>(j * (n + 1) + i); };
+  vtkNew<vtkCellArray> strips;
+  std::vector<Corners> triangles;
+  std::vector<Corners> quads;
+  std::vector<Corners> hexagons;
+  for (int j = 0; j < n; ++j)
+  {
+    Corners strip;
+    for (int i = 0; i <= n; ++i)
+    {
+      strip.push_back(at(i, j + 1));
+      strip.push_back(at(i, j));
+    }
+    strips->InsertNextCell(static_cast<vtkIdType>(strip.size()), strip.data());
+    for (int i = 0; i < n; ++i)
+    {
+      triangles.push_back({ at(i, j + 1), at(i, j), at(i + 1, j + 1) });
+      triangles.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1) });
+      quads.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) });
+      if (i % 2 == 0)
+      {
+        hexagons.push_back({ at(i, j), at(i + 1, j), at(i + 2, j), at(i + 2, j + 1),
+          at(i + 1, j + 1), at(i, j + 1) });
+      }
+    }
+  }
+  Map reference(test::gridOf(points, triangles, VTK_TRIANGLE));
+  vtkUnstructuredGrid* expected = reference.run();
+
+  vtkNew<vtkPolyData> stripData;
+  stripData->SetPoints(test::gridOf(points, quads, VTK_QUAD)->GetPoints());
+  stripData->SetStrips(strips);
+  Map fromStrips(stripData);
+  vtkUnstructuredGrid* output = fromStrips.run();
+  EXPECT_LT(greatestDiskDistance(output, expected), 1e-14);
+  EXPECT_EQ(output->GetNumberOfCells(), expected->GetNumberOfCells());
+  EXPECT_EQ(idOf(output->GetCellData(), "OriginalCellIds", output->GetNumberOfCells() - 1), n - 1);
+
+  Map fromQuads(test::gridOf(points, quads, VTK_QUAD));
+  EXPECT_EQ(fromQuads.run()->GetNumberOfCells(), expected->GetNumberOfCells());
+  expectOriginals(fromQuads.run(), test::gridOf(points, quads, VTK_QUAD));
+
+  const Grid polygons = test::gridOf(points, hexagons, VTK_POLYGON);
+  Map fromPolygons(polygons);
+  output = fromPolygons.run();
+  double area = 0.0;
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    const Corners t = test::cornersOf(output, c);
+    area += vtkTriangle::TriangleArea(test::pointOf(output, t[0]).data(),
+      test::pointOf(output, t[1]).data(), test::pointOf(output, t[2]).data());
+  }
+  EXPECT_NEAR(area, 1.5 * n * n, 1e-12);
+  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+}
+
+TEST(HarmonicDiskMap, OneConcavePolygonIsACap)
+{
+  // An L with nodes in the middle of its edges, its points not the first of the data set.
+  const std::vector<std::array<double, 3>> points{ { 9, 9, 9 }, { 8, 8, 8 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 2, 0, 1 }, { 2, 1, 1 }, { 1, 1, 1 }, { 1, 2, 1 }, { 0, 2, 1 }, { 0, 1, 1 } };
+  const Grid input = test::gridOf(points, { { 2, 3, 4, 5, 6, 7, 8, 9 } }, VTK_POLYGON);
+  Map map(input);
+  vtkUnstructuredGrid* output = map.run();
+  double area = 0.0;
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    const Corners t = test::cornersOf(output, c);
+    area += vtkTriangle::TriangleArea(test::pointOf(output, t[0]).data(),
+      test::pointOf(output, t[1]).data(), test::pointOf(output, t[2]).data());
+    EXPECT_EQ(idOf(output->GetCellData(), "OriginalCellIds", c), 0);
+  }
+  EXPECT_NEAR(area, 3.0, 1e-14);
+  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+  EXPECT_EQ(test::boundaryOf(output).size(), 8u);
+}
+
+TEST(HarmonicDiskMap, AnyOrientationOfTheCells)
+{
+  const test::SweepGrids sweep = test::readCase("taper10");
+  Map plain(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+  Map turned(test::turnedOver(sweep.sourceSurface), test::anyOrientation(sweep.targetSurface, 2),
+    test::anyOrientation(sweep.linkingSides, 3));
+  EXPECT_LT(greatestDiskDistance(plain.run(), turned.run()), 1e-11);
+  Map alone(test::anyOrientation(sweep.sourceSurface, 4));
+  EXPECT_EQ(report(alone.run(), "SweepReportFlipsAfter"), 0);
+}
+
+TEST(HarmonicDiskMap, SinglePrecisionFilesWork)
+{
+  for (const char* name : { "ubend", "taper10" })
+  {
+    const test::SweepGrids sweep = test::readCase(name);
+    Map plain(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+    Map rounded(test::singlePrecision(sweep.sourceSurface),
+      test::singlePrecision(sweep.targetSurface), test::singlePrecision(sweep.linkingSides));
+    vtkUnstructuredGrid* output = rounded.run();
+    EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
+    EXPECT_LT(greatestDiskDistance(plain.run(), output), 1e-4) << name;
+  }
+}
+
+TEST(HarmonicDiskMap, OutputDiskAndPrecision)
+{
+  const Grid input = test::readGrid("taper10/target_surface");
+  Map plain(input);
+  Map disk(input);
+  disk.filter->OutputDiskOn();
+  vtkUnstructuredGrid* expected = plain.run();
+  vtkUnstructuredGrid* output = disk.run();
+  vtkDataArray* surface = output->GetPointData()->GetArray("SurfacePoints");
+  ASSERT_NE(surface, nullptr);
+  EXPECT_EQ(expected->GetPointData()->GetArray("SurfacePoints"), nullptr);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> p;
+    surface->GetTuple(i, p.data());
+    EXPECT_EQ(p, test::pointOf(expected, i));
+    EXPECT_EQ(test::pointOf(output, i), diskPoint(expected, i));
+  }
+  plain.filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  EXPECT_EQ(plain.run()->GetPoints()->GetDataType(), VTK_FLOAT);
+}
+
+TEST(HarmonicDiskMap, TwiceGivesTheSameBits)
+{
+  const test::SweepGrids sweep = test::readCase("taper10");
+  Map map(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+  vtkNew<vtkUnstructuredGrid> first;
+  first->DeepCopy(map.run());
+  map.filter->Modified();
+  test::expectSameBits(first, map.run());
+}
+
+TEST(HarmonicDiskMap, AbortEmptiesTheOutput)
+{
+  const test::SweepGrids sweep = test::readCase("taper10");
+  Map map(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+  for (const double fraction : { 0.0, 0.3, 0.7 })
+  {
+    test::expectEmptyWhenAborted(map.filter, fraction);
+  }
+  EXPECT_GT(map.run()->GetNumberOfCells(), 0);
+  Map alone(sweep.sourceSurface);
+  test::expectEmptyWhenAborted(alone.filter, 0.0);
+}
+
+TEST(HarmonicDiskMap, NoPointIsLookedAtThatNoCellUses)
+{
+  Grid input = test::readGrid("ubend/target_surface");
+  Map plain(input);
+  vtkUnstructuredGrid* expected = plain.run();
+  Grid more = Grid::New();
+  more->DeepCopy(input);
+  const double bad[3] = { std::nan(""), 1e300, 0.0 };
+  more->GetPoints()->InsertNextPoint(bad);
+  Map map(more);
+  vtkUnstructuredGrid* output = map.run();
+  EXPECT_EQ(output->GetNumberOfPoints(), expected->GetNumberOfPoints() + 1);
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(diskPoint(output, i), diskPoint(expected, i));
+  }
+}
+
+TEST(HarmonicDiskMap, MissingInput)
+{
+  vtkNew<vtkHarmonicDiskMap> filter;
+  test::expectMissingInput(filter);
+}
+
+TEST(HarmonicDiskMap, EmptyInput)
+{
+  Map map(test::emptyGrid());
+  expectOneError(map.filter, "the input surface are empty");
+  const Grid points = test::readGrid("ubend/target_surface");
+  Grid noCells = Grid::New();
+  noCells->SetPoints(points->GetPoints());
+  Map noCellsMap(noCells);
+  expectOneError(noCellsMap.filter, "no cells");
+  Map vertices(test::gridOf({ { 0, 0, 0 } }, { { 0 } }, VTK_VERTEX));
+  expectOneError(vertices.filter, "no surface cells");
+}
+
+TEST(HarmonicDiskMap, EmptyPartnerAndLinkingSides)
+{
+  const test::SweepGrids sweep = test::readCase("ubend");
+  Map partner(sweep.sourceSurface, test::emptyGrid());
+  expectOneError(partner.filter, "the partner surface are empty");
+  Map linking(sweep.sourceSurface, sweep.targetSurface, test::emptyGrid());
+  expectOneError(linking.filter, "the linking sides are empty");
+}
+
+TEST(HarmonicDiskMap, ClosedSurface)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  Map map(sphere->GetOutput());
+  expectOneError(map.filter, "closed surface");
+  const test::SweepGrids sweep = test::readCase("ubend");
+  Map partner(sweep.sourceSurface, sphere->GetOutput(), sweep.linkingSides);
+  expectOneError(partner.filter, "closed surface");
+}
+
+TEST(HarmonicDiskMap, NotANumber)
+{
+  const test::SweepGrids sweep = test::readCase("ubend");
+  Map map(test::withNaN(sweep.sourceSurface));
+  expectOneError(map.filter, "not a finite number");
+  Map partner(sweep.sourceSurface, test::withNaN(sweep.targetSurface), sweep.linkingSides);
+  expectOneError(partner.filter, "not a finite number");
+  Map linking(sweep.sourceSurface, sweep.targetSurface, test::withNaN(sweep.linkingSides));
+  expectOneError(linking.filter, "not a finite number");
+}
+
+TEST(HarmonicDiskMap, MoebiusStrip)
+{
+  Map map(moebiusStrip());
+  expectOneError(map.filter, "Moebius");
+}
+
+TEST(HarmonicDiskMap, SurfacesThatAreNoManifold)
+{
+  const std::vector<std::array<double, 3>> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+    { 0, 0, 1 }, { 0, -1, 0 }, { -1, 0, 0 } };
+  Map edge(test::gridOf(points, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } }, VTK_TRIANGLE));
+  expectOneError(edge.filter, "more than two faces");
+  Map point(test::gridOf(points, { { 0, 1, 2 }, { 0, 4, 5 } }, VTK_TRIANGLE));
+  expectOneError(point.filter, "point 0");
+  Map pieces(test::gridOf(points, { { 0, 1, 2 }, { 3, 4, 5 } }, VTK_TRIANGLE));
+  expectOneError(pieces.filter, "2 pieces");
+  Map collapsed(test::gridOf(points, { { 0, 1, 1 } }, VTK_TRIANGLE));
+  expectOneError(collapsed.filter, "twice");
+  Map flat(test::gridOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { { 0, 1, 2 } }, VTK_TRIANGLE));
+  expectOneError(flat.filter, "no area");
+}
+
+TEST(HarmonicDiskMap, CellsThatAreNoSurface)
+{
+  const std::vector<std::array<double, 3>> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+    { 0, 0, 1 }, { 0.5, 0.5, 0 }, { 0, 0.5, 0.1 } };
+  Map volume(test::gridOf(points, { { 0, 1, 2, 3 } }, VTK_TETRA));
+  expectOneError(volume.filter, "volume cell");
+  Map quadratic(test::gridOf(points, { { 0, 1, 2, 3, 4, 5 } }, VTK_QUADRATIC_TRIANGLE));
+  expectOneError(quadratic.filter, "linearise");
+}
+
+TEST(HarmonicDiskMap, DifferentNumbersOfHoles)
+{
+  const test::SweepGrids one = test::readCase("ubend");
+  const test::SweepGrids two = test::readCase("taper10");
+  Map map(one.sourceSurface, two.targetSurface, one.linkingSides);
+  test::Events events(map.filter);
+  map.filter->Update();
+  EXPECT_EQ(events.errors.size(), 1u);
+  EXPECT_TRUE(test::isEmpty(map.filter));
+  Map byShape(one.sourceSurface, two.targetSurface);
+  expectOneError(byShape.filter, "loop(s)");
+}
+
+TEST(HarmonicDiskMap, LoopsThatDoNotMatch)
+{
+  const test::SweepGrids sweep = test::readCase("ubend");
+  // Linking sides that are a bit too wide, and those of another volume.
+  const Grid wide = test::changedPoints(
+    sweep.linkingSides, [](vtkIdType, std::array<double, 3>& p) { p[0] *= 1.2; });
+  Map map(sweep.sourceSurface, sweep.targetSurface, wide);
+  expectOneError(map.filter, "does not lie on the boundary");
+  Map other(sweep.sourceSurface, sweep.targetSurface, test::readGrid("c_open/linking_quads"));
+  test::Events events(other.filter);
+  other.filter->Update();
+  EXPECT_EQ(events.errors.size(), 1u);
+  EXPECT_TRUE(test::isEmpty(other.filter));
+}
+
+TEST(HarmonicDiskMap, ErrorsDoNotLast)
+{
+  Map map(test::withNaN(test::readGrid("ubend/target_surface")));
+  expectOneError(map.filter, "not a finite number");
+  map.filter->SetInputData(test::readGrid("ubend/target_surface"));
+  map.filter->Update();
+  EXPECT_GT(map.filter->GetOutput()->GetNumberOfCells(), 0);
+}

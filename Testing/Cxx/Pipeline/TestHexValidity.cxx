@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkHexValidity against Verdict, and what it says about bad meshes.
+#include "TestEvents.h"
+
+#include <vtkHexValidity.h>
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCellTypeSource.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkHexahedron.h>
+#include <vtkImageData.h>
+#include <vtkMeshQuality.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkSmartPointer.h>
+#include <vtkSphereSource.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+namespace
+{
+using Corners = std::array<std::array<double, 3>, 8>;
+
+constexpr Corners Cube = { { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+  { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } } };
+
+void addHex(vtkUnstructuredGrid* grid, const Corners& corners)
+{
+  std::array<vtkIdType, 8> ids;
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    ids[i] = grid->GetPoints()->InsertNextPoint(corners[i].data());
+  }
+  grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> emptyGrid()
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  grid->SetPoints(points);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> gridOf(std::initializer_list<Corners> hexes)
+{
+  auto grid = emptyGrid();
+  for (const Corners& hex : hexes)
+  {
+    addHex(grid, hex);
+  }
+  return grid;
+}
+
+Corners pulled(Corners corners, double at)
+{
+  corners[6] = { at, at, at };
+  return corners;
+}
+
+Corners swapped(const Corners& c)
+{
+  return { { c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3] } };
+}
+
+/// Cubes whose corners have been shaken: some stay valid, many do not.
+vtkSmartPointer<vtkUnstructuredGrid> shakenCubes(int count, double amplitude)
+{
+  auto grid = emptyGrid();
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> shake(-amplitude, amplitude);
+  for (int i = 0; i < count; ++i)
+  {
+    Corners corners = Cube;
+    for (auto& corner : corners)
+    {
+      for (double& coordinate : corner)
+      {
+        coordinate += shake(generator);
+      }
+    }
+    addHex(grid, corners);
+  }
+  return grid;
+}
+
+struct Judgement
+{
+  vtkNew<vtkHexValidity> filter;
+  test::Events events;
+
+  explicit Judgement(vtkDataSet* input, bool failIfInvalid = false)
+    : events(filter)
+  {
+    this->filter->SetInputData(input);
+    this->filter->SetFailIfInvalid(failIfInvalid);
+    this->filter->Update();
+  }
+
+  vtkDataSet* output() { return this->filter->GetOutput(); }
+  double scaledJacobian(vtkIdType cell)
+  {
+    return this->output()->GetCellData()->GetArray("ScaledJacobian")->GetTuple1(cell);
+  }
+  int validity(vtkIdType cell)
+  {
+    return static_cast<int>(this->output()->GetCellData()->GetArray("Validity")->GetTuple1(cell));
+  }
+  double report(const std::string& name)
+  {
+    return this->output()->GetFieldData()->GetArray(("SweepReport" + name).c_str())->GetTuple1(0);
+  }
+};
+}
+
+TEST(HexValidity, EqualsVerdictOnShakenCubes)
+{
+  const auto grid = shakenCubes(20000, 0.6);
+  Judgement run(grid);
+  vtkIdType inverted = 0;
+  vtkIdType positive = 0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const double verdict = vtkMeshQuality::HexScaledJacobian(grid->GetCell(cell));
+    ASSERT_NEAR(run.scaledJacobian(cell), verdict, 1e-12) << "cell " << cell;
+    ASSERT_EQ(run.validity(cell) == vtkHexValidity::UNDECIDED, verdict > 0.0) << "cell " << cell;
+    inverted += verdict <= 0.0;
+    positive += verdict > 0.0;
+  }
+  ASSERT_GT(inverted, 1000);
+  ASSERT_GT(positive, 1000);
+  EXPECT_EQ(run.report("Hexes"), grid->GetNumberOfCells());
+  EXPECT_EQ(run.report("Inverted"), inverted);
+  EXPECT_EQ(run.events.errors.size(), 0u);
+  EXPECT_EQ(run.events.warnings.size(), 1u);
+}
+
+TEST(HexValidity, ThreadsDoNotChangeABit)
+{
+  const auto grid = shakenCubes(5000, 0.3);
+  vtkSMPTools::Initialize(1);
+  Judgement one(grid);
+  vtkSMPTools::Initialize(4);
+  Judgement four(grid);
+  vtkSMPTools::Initialize(0);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    ASSERT_EQ(one.scaledJacobian(cell), four.scaledJacobian(cell));
+  }
+  EXPECT_EQ(one.report("MeanScaledJacobian"), four.report("MeanScaledJacobian"));
+}
+
+TEST(HexValidity, WarningCountsAndNamesTheFirstTen)
+{
+  auto grid = gridOf({ Cube });
+  for (int i = 0; i < 12; ++i)
+  {
+    addHex(grid, pulled(Cube, 0.5));
+  }
+  Judgement run(grid);
+  ASSERT_EQ(run.events.warnings.size(), 1u);
+  const std::string& text = run.events.warnings.front();
+  EXPECT_NE(text.find("12 of 13 hexahedra are inverted"), std::string::npos) << text;
+  EXPECT_NE(text.find("cell 1 at (0.4375, 0.4375, 0.4375)"), std::string::npos) << text;
+  EXPECT_NE(text.find("cell 10 at"), std::string::npos) << text;
+  EXPECT_EQ(text.find("cell 11 at"), std::string::npos) << text;
+  EXPECT_EQ(run.validity(0), vtkHexValidity::UNDECIDED);
+  EXPECT_EQ(run.validity(1), vtkHexValidity::INVERTED_CORNER);
+  EXPECT_EQ(run.report("NotCertified"), 13);
+  EXPECT_EQ(run.output()->GetNumberOfCells(), 13);
+}
+
+TEST(HexValidity, FailIfInvalidGivesAnErrorAndNothingElse)
+{
+  Judgement run(gridOf({ Cube, pulled(Cube, 0.5) }), true);
+  ASSERT_EQ(run.events.errors.size(), 1u);
+  EXPECT_NE(run.events.errors.front().find("1 of 2 hexahedra"), std::string::npos);
+  EXPECT_EQ(run.output()->GetNumberOfCells(), 0);
+
+  Judgement valid(gridOf({ Cube, Cube }), true);
+  EXPECT_EQ(valid.events.errors.size(), 0u);
+  EXPECT_EQ(valid.output()->GetNumberOfCells(), 2);
+}
+
+TEST(HexValidity, InsideOutMeshIsNamedAsSuch)
+{
+  Judgement run(gridOf({ swapped(Cube), swapped(Cube) }));
+  ASSERT_EQ(run.events.warnings.size(), 1u);
+  EXPECT_NE(run.events.warnings.front().find("inside out"), std::string::npos);
+  EXPECT_EQ(run.report("Inverted"), 2);
+  EXPECT_DOUBLE_EQ(run.report("MinScaledJacobian"), -1.0);
+}
+
+TEST(HexValidity, DegenerateHexIsNotPerfectAsInVerdict)
+{
+  Corners collapsed = Cube;
+  collapsed[1] = collapsed[0];
+  Corners lost = Cube;
+  lost[2][1] = std::numeric_limits<double>::quiet_NaN();
+  auto grid = gridOf({ collapsed, lost, Cube });
+  ASSERT_GT(vtkMeshQuality::HexScaledJacobian(grid->GetCell(0)), 1.0); // the trap
+  Judgement run(grid);
+  EXPECT_EQ(run.validity(0), vtkHexValidity::DEGENERATE);
+  EXPECT_EQ(run.validity(1), vtkHexValidity::DEGENERATE);
+  EXPECT_EQ(run.validity(2), vtkHexValidity::UNDECIDED);
+  EXPECT_LE(run.scaledJacobian(0), 0.0);
+  EXPECT_TRUE(std::isnan(run.scaledJacobian(1)));
+  EXPECT_EQ(run.report("Degenerate"), 2);
+  ASSERT_EQ(run.events.warnings.size(), 1u);
+  EXPECT_NE(run.events.warnings.front().find("2 are degenerate"), std::string::npos);
+}
+
+TEST(HexValidity, VoxelsAreJudgedAndTheOutputHasTheInputsType)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 3, 2);
+  image->SetSpacing(1, 2, 3);
+  Judgement run(image);
+  ASSERT_TRUE(vtkImageData::SafeDownCast(run.output()));
+  EXPECT_EQ(run.report("Hexes"), 6);
+  EXPECT_EQ(run.report("Inverted"), 0);
+  EXPECT_DOUBLE_EQ(run.report("MinScaledJacobian"), 1.0);
+  EXPECT_EQ(run.validity(5), vtkHexValidity::UNDECIDED);
+}
+
+TEST(HexValidity, OtherCellsPassThrough)
+{
+  vtkNew<vtkCellTypeSource> wedges;
+  wedges->SetCellType(VTK_WEDGE);
+  wedges->SetBlocksDimensions(1, 1, 1);
+  wedges->Update();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->DeepCopy(wedges->GetOutput());
+  const vtkIdType numberOfWedges = grid->GetNumberOfCells();
+  addHex(grid, Cube);
+  Judgement run(grid);
+  EXPECT_EQ(run.validity(0), vtkHexValidity::NOT_JUDGED);
+  EXPECT_TRUE(std::isnan(run.scaledJacobian(0)));
+  EXPECT_EQ(run.validity(numberOfWedges), vtkHexValidity::UNDECIDED);
+  EXPECT_EQ(run.report("Hexes"), 1);
+  EXPECT_EQ(run.events.warnings.size(), 0u);
+
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  Judgement surface(sphere->GetOutput());
+  ASSERT_TRUE(vtkPolyData::SafeDownCast(surface.output()));
+  EXPECT_EQ(surface.report("Hexes"), 0);
+  EXPECT_EQ(surface.events.warnings.size(), 1u);
+}
+
+TEST(HexValidity, GhostCellsAreNotReported)
+{
+  auto grid = gridOf({ Cube, pulled(Cube, 0.5) });
+  vtkUnsignedCharArray* ghosts = grid->AllocateCellGhostArray();
+  ghosts->SetValue(1, vtkDataSetAttributes::DUPLICATECELL);
+  Judgement run(grid);
+  EXPECT_EQ(run.report("Hexes"), 1);
+  EXPECT_EQ(run.report("Inverted"), 0);
+  EXPECT_EQ(run.validity(1), vtkHexValidity::INVERTED_CORNER);
+  EXPECT_EQ(run.events.warnings.size(), 0u);
+}
+
+TEST(HexValidity, EmptyInputIsOneError)
+{
+  Judgement run(emptyGrid());
+  ASSERT_EQ(run.events.errors.size(), 1u);
+  EXPECT_NE(run.events.errors.front().find("no cells"), std::string::npos);
+  EXPECT_EQ(run.output()->GetNumberOfCells(), 0);
+}
+
+TEST(HexValidity, MissingInputIsOneError)
+{
+  vtkNew<vtkHexValidity> filter;
+  test::Events events(filter);
+  filter->Update();
+  EXPECT_EQ(events.executiveErrors.size(), 1u);
+}
+
+TEST(HexValidity, PointAndCellDataAreKept)
+{
+  vtkNew<vtkCellTypeSource> block;
+  block->SetCellType(VTK_HEXAHEDRON);
+  block->SetBlocksDimensions(2, 1, 1);
+  block->Update();
+  Judgement run(block->GetOutput());
+  EXPECT_EQ(run.output()->GetCellData()->GetNumberOfArrays(),
+    block->GetOutput()->GetCellData()->GetNumberOfArrays() + 2);
+  EXPECT_EQ(run.output()->GetPointData()->GetNumberOfArrays(),
+    block->GetOutput()->GetPointData()->GetNumberOfArrays());
+}

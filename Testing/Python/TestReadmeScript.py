@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the README's pvpython script as it stands there and judges the file that it writes."""
+
+import os
+import subprocess
+import sys
+import tempfile
+
+SOURCE_DIR = os.environ["HEXSWEEP_SOURCE_DIR"]
+sys.path.insert(0, os.path.join(SOURCE_DIR, "Testing", "Readme"))
+from readme_code import code_block  # noqa: E402
+
+with tempfile.TemporaryDirectory(dir=os.environ["HEXSWEEP_TEST_OUTPUT_DIR"]) as folder:
+    # The reader stands in the clone, where demo.sh has built in build/release.
+    os.symlink(os.path.join(SOURCE_DIR, "Data"), os.path.join(folder, "Data"))
+    os.mkdir(os.path.join(folder, "build"))
+    os.symlink(os.environ["HEXSWEEP_BINARY_DIR"], os.path.join(folder, "build", "release"))
+    with open(os.path.join(folder, "sweep.py"), "w", encoding="utf-8") as file:
+        file.write(code_block("python"))
+    done = subprocess.run(
+        ["pvpython", "sweep.py"], cwd=folder, timeout=300, check=False,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+    )
+    print(done.stdout)
+    assert done.returncode == 0, "the script ends with an error"
+    assert "ERR|" not in done.stdout and "WARN|" not in done.stdout, "a filter complains"
+
+    from paraview import servermanager, simple
+
+    mesh = simple.OpenDataFile(os.path.join(folder, "c_open.vtu"))
+    quality = simple.MeshQuality(Input=mesh, HexQualityMeasure="Scaled Jacobian")
+    judged = servermanager.Fetch(quality)
+    assert judged.GetNumberOfCells() == 11440, "the number of hexes of c_open"
+    least = judged.GetCellData().GetArray("Quality").GetRange()[0]
+    assert least > 0.7, f"Verdict's least scaled Jacobian is {least}"

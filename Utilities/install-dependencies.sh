@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Installs the Debian 12 packages that HexSweep needs to be built, run and tested.
+# Asks dpkg first: when all is there it changes nothing and needs neither network nor root.
+
+set -euo pipefail
+
+packages=(
+  # the tools
+  g++ cmake ninja-build
+  # ParaView 5.11 with its VTK, its Python and what its CMake files ask for
+  paraview-dev python3-paraview python3-dev
+  libdouble-conversion-dev libglew-dev libx11-dev
+  qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5
+  # the numerics and their tests
+  libeigen3-dev libopenmesh-dev libgtest-dev
+  # a display without a screen, and mpirun for the parallel test
+  xvfb xauth openmpi-bin
+)
+
+say() { printf '== %s\n' "$*"; }
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  echo "install-dependencies.sh: this is not Debian (no apt-get); install by hand what matches:" >&2
+  printf '  %s\n' "${packages[@]}" >&2
+  exit 1
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+  # A package of several architectures is listed once for each: one that is installed will do.
+  [[ $status == *installed && $status != *not-installed ]] || missing+=("$package")
+done
+
+if ((${#missing[@]} == 0)); then
+  say "dependencies: all ${#packages[@]} packages are installed"
+  exit 0
+fi
+
+say "dependencies: ${#missing[@]} of ${#packages[@]} packages are missing: ${missing[*]}"
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    echo "install-dependencies.sh: neither root nor sudo; as root run:" >&2
+    echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+  say "dependencies: not root, so apt-get runs through sudo"
+  as_root=(sudo)
+fi
+
+apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@"; }
+
+say "dependencies: apt-get update"
+apt -q update
+say "dependencies: apt-get install (some minutes on a bare system)"
+apt -q -y --no-install-recommends -o Dpkg::Use-Pty=0 install "${missing[@]}"
+say "dependencies: installed"

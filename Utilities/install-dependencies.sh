@@ -16,7 +16,7 @@ packages=(
   # the numerics and their tests
   libeigen3-dev libopenmesh-dev libgtest-dev
   # a display without a screen, and mpirun for the parallel test
-  xvfb xauth openmpi-bin
+  xvfb xauth openmpi-bin libopenmpi-dev
 )
 
 say() { printf '== %s\n' "$*"; }

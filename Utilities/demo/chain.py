@@ -12,6 +12,9 @@ from dataclasses import dataclass, field
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+# Nothing is moved after it has been placed.
+RAW = {"EnsureValid": 0, "ImproveQuality": 0}
+
 
 @dataclass
 class Case:
@@ -60,10 +63,11 @@ def read_case(folder):
     )
 
 
-def sweep_harmonic(case, report):
+def sweep_harmonic(case, report, raw=False):
     """HexSweep's own chain: both caps into one disk, quads across, interior, verdict.
 
-    `report(stage, seconds)` is called after each stage.
+    `report(stage, seconds)` is called after each stage. `raw` takes the projection and the interior
+    as they come; otherwise every filter has its default settings.
     """
     run = _Stages(report)
     source_disk = simple.HarmonicDiskMap(
@@ -88,8 +92,10 @@ def sweep_harmonic(case, report):
         SourceSurface=source_disk,
     )
     target_quads.DiskMaps = "FromInput"
+    if raw:
+        _set(target_quads, **RAW)
     run.stage("quads onto the target", target_quads)
-    return _interior(case, target_quads, run)
+    return _interior(case, target_quads, run, **(RAW if raw else {}))
 
 
 def sweep_affine(case, report):
@@ -103,9 +109,9 @@ def sweep_affine(case, report):
         LinkingSides=case.linking_quads,
         SourceSurface=case.source_surface,
     )
-    _set(target_quads, Method="AffineLeastSquares", EnsureValid=0)
+    _set(target_quads, Method="AffineLeastSquares", **RAW)
     run.stage("quads onto the target", target_quads)
-    return _interior(case, target_quads, run, Method="AffineBoundaryError", EnsureValid=0)
+    return _interior(case, target_quads, run, Method="AffineBoundaryError", **RAW)
 
 
 def _interior(case, target_quads, run, **properties):
@@ -123,9 +129,9 @@ def _interior(case, target_quads, run, **properties):
 
 
 def _set(proxy, **properties):
-    """Sets properties; EnsureValid only where the filter has it: without it nothing is repaired."""
+    """Sets properties, those of RAW only where the filter has them: others repair nothing."""
     for name, value in properties.items():
-        if name != "EnsureValid" or name in proxy.ListProperties():
+        if name not in RAW or name in proxy.ListProperties():
             setattr(proxy, name, value)
 
 

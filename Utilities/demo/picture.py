@@ -128,7 +128,9 @@ def _draw_cap(view, quads, inverted, title, direction, up):
 
 def _outline_inverted(view, quads):
     """Thick red edges: a quad turned inside out is often too thin for its own colour to show."""
-    bad = simple.Threshold(Input=quads, Scalars=["CELLS", "Inverted"], LowerThreshold=1, UpperThreshold=1)
+    bad = simple.Threshold(
+        Input=quads, Scalars=["CELLS", "Inverted"], LowerThreshold=1, UpperThreshold=1
+    )
     display = simple.Show(bad, view, "UnstructuredGridRepresentation")
     display.Representation = "Wireframe"
     simple.ColorBy(display, None)

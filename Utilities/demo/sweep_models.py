@@ -126,11 +126,12 @@ def _table(rows):
     texts = [[line[level] for line in lines] for level in range(height)]
     texts.append(["-" * width for width in widths])
     texts.extend(rows)
-    return "".join(
-        "  ".join(f"{cell:{align}{width}}" for cell, (_, align), width in zip(text, COLUMNS, widths))
-        .rstrip() + "\n"
-        for text in texts
-    )
+
+    def line(text):
+        cells = (f"{cell:{align}{width}}" for cell, (_, align), width in zip(text, COLUMNS, widths))
+        return "  ".join(cells).rstrip() + "\n"
+
+    return "".join(line(text) for text in texts)
 
 
 def _folders(data, models):

@@ -55,7 +55,8 @@ std::string describeCell(vtkIdType cell, int type)
 }
 
 /// Reads one cell's faces into rows of `corners` point ids each.
-using AppendFaces = std::function<void(vtkIdType id, int type, vtkGenericCell*, std::vector<Index>&)>;
+using AppendFaces =
+  std::function<void(vtkIdType id, int type, vtkGenericCell*, std::vector<Index>&)>;
 
 SurfaceInput readSurface(
   vtkDataSet* data, const std::string& what, Index corners, const AppendFaces& append)
@@ -91,8 +92,8 @@ SurfaceInput readSurface(
   {
     throw InvalidInput("the " + what + " are empty (no surface cells). Connect a surface mesh.");
   }
-  input.faces = Eigen::Map<const Faces>(
-    ids.data(), static_cast<Index>(ids.size()) / corners, corners);
+  input.faces =
+    Eigen::Map<const Faces>(ids.data(), static_cast<Index>(ids.size()) / corners, corners);
   for (const Index p : ids)
   {
     if (!input.points.row(p).allFinite())
@@ -224,15 +225,14 @@ void acceptSurfaces(vtkInformation* portInformation)
 
 vtkDataSet* inputDataSet(vtkInformationVector** inputs, int port)
 {
-  return inputs[port]->GetNumberOfInformationObjects() > 0
-    ? vtkPointSet::GetData(inputs[port], 0)
-    : nullptr;
+  return inputs[port]->GetNumberOfInformationObjects() > 0 ? vtkPointSet::GetData(inputs[port], 0)
+                                                           : nullptr;
 }
 
 bool isEmptyPiece(vtkInformationVector* outputs, vtkDataSet* data, const std::string& what)
 {
-  const int piece = outputs->GetInformationObject(0)->Get(
-    vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  const int piece =
+    outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   if (piece <= 0 || !data)
   {
     return false;
@@ -268,16 +268,16 @@ Points readPoints(vtkDataSet* data)
 
 SurfaceInput readTriangles(vtkDataSet* data, const std::string& what)
 {
-  return readSurface(data, what, 3,
-    [&](vtkIdType id, int type, vtkGenericCell* cell, std::vector<Index>& ids) {
+  return readSurface(
+    data, what, 3, [&](vtkIdType id, int type, vtkGenericCell* cell, std::vector<Index>& ids) {
       appendTriangles(id, type, cell, what, ids);
     });
 }
 
 SurfaceInput readQuads(vtkDataSet* data, const std::string& what)
 {
-  return readSurface(data, what, 4,
-    [&](vtkIdType id, int type, vtkGenericCell* cell, std::vector<Index>& ids) {
+  return readSurface(
+    data, what, 4, [&](vtkIdType id, int type, vtkGenericCell* cell, std::vector<Index>& ids) {
       if (type != VTK_QUAD && type != VTK_PIXEL &&
         !(type == VTK_POLYGON && cell->GetNumberOfPoints() == 4))
       {
@@ -357,8 +357,7 @@ Progress pipelineProgress(vtkAlgorithm* self, double from, double to)
   };
 }
 
-int runFilter(
-  vtkAlgorithm* self, vtkInformationVector* outputs, const std::function<void()>& body)
+int runFilter(vtkAlgorithm* self, vtkInformationVector* outputs, const std::function<void()>& body)
 {
   std::string problem;
   try

@@ -82,8 +82,7 @@ void setCells(vtkUnstructuredGrid* grid, const FacesRef& cells, int cellType);
 void addReport(vtkFieldData* fieldData, const char* name, double value);
 void addReport(vtkFieldData* fieldData, const char* name, Index value);
 void addReport(vtkFieldData* fieldData, const char* name, const std::string& value);
-void addReport(
-  vtkFieldData* fieldData, const char* name, const std::vector<std::string>& values);
+void addReport(vtkFieldData* fieldData, const char* name, const std::vector<std::string>& values);
 void addReport(vtkFieldData* fieldData, const char* name, const std::vector<double>& values);
 
 /// Maps Core's progress in [0, 1] to the filter's progress in [from, to], and asks for aborts.
@@ -95,8 +94,7 @@ Progress pipelineProgress(vtkAlgorithm* self, double from = 0.0, double to = 1.0
  *
  * @return what RequestData is to return: 1, or 0 after an error.
  */
-int runFilter(
-  vtkAlgorithm* self, vtkInformationVector* outputs, const std::function<void()>& body);
+int runFilter(vtkAlgorithm* self, vtkInformationVector* outputs, const std::function<void()>& body);
 }
 
 #endif

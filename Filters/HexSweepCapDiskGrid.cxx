@@ -122,8 +122,8 @@ void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* o
   int precision, bool outputDisk, vtkUnstructuredGrid* output)
 {
   const Points disk = inSpace(cap.disk);
-  output->SetPoints(vtkSmartPointer<vtkPoints>::Take(
-    newPoints(outputDisk ? disk : cap.mesh.points, precision)));
+  output->SetPoints(
+    vtkSmartPointer<vtkPoints>::Take(newPoints(outputDisk ? disk : cap.mesh.points, precision)));
   setCells(output, cap.mesh.triangles, VTK_TRIANGLE);
 
   std::vector<Index> pointIds;
@@ -154,8 +154,8 @@ void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* o
   Points circles(static_cast<Index>(cap.holes.size()), 3);
   for (std::size_t h = 0; h < cap.holes.size(); ++h)
   {
-    circles.row(static_cast<Index>(h))
-      << cap.holes[h].center.x(), cap.holes[h].center.y(), cap.holes[h].radius;
+    circles.row(static_cast<Index>(h)) << cap.holes[h].center.x(), cap.holes[h].center.y(),
+      cap.holes[h].radius;
   }
   field->AddArray(vectors(HoleCirclesName, circles));
 }
@@ -218,9 +218,9 @@ std::string describeFlips(const CapDisk& cap, const std::string& what)
   for (std::size_t i = 0; i < std::min(FlipsToName, cap.flipped.size()); ++i)
   {
     const auto triangle = cap.mesh.triangles.row(cap.flipped[i]);
-    const Eigen::RowVector3d center = (cap.mesh.points.row(triangle[0]) +
-                                        cap.mesh.points.row(triangle[1]) +
-                                        cap.mesh.points.row(triangle[2])) /
+    const Eigen::RowVector3d center =
+      (cap.mesh.points.row(triangle[0]) + cap.mesh.points.row(triangle[1]) +
+        cap.mesh.points.row(triangle[2])) /
       3.0;
     text += (i > 0 ? ", " : " ") + describe(center);
   }

@@ -92,8 +92,8 @@ struct Cage
   hexsweep::SweepBoundary boundary;
 };
 
-Cage readCage(vtkDataSet* sourceData, vtkDataSet* targetData, vtkDataSet* linkingData,
-  double matchTolerance)
+Cage readCage(
+  vtkDataSet* sourceData, vtkDataSet* targetData, vtkDataSet* linkingData, double matchTolerance)
 {
   Cage cage;
   cage.source = hexsweep::readQuads(sourceData, "source quads");
@@ -115,10 +115,10 @@ Cage readCage(vtkDataSet* sourceData, vtkDataSet* targetData, vtkDataSet* linkin
 
   const hexsweep::LinkingRings rings = hexsweep::traceLinkingRings(cage.source.points,
     topology.loops, linking.points, hexsweep::Quads(linking.faces), matchTolerance);
-  hexsweep::matchTargetLoops(cage.target.points, topology.loops, rings, linking.points,
-    matchTolerance);
-  cage.boundary = hexsweep::gatherSweepBoundary(cage.source.points, cage.target.points,
-    topology.loops, rings, linking.points);
+  hexsweep::matchTargetLoops(
+    cage.target.points, topology.loops, rings, linking.points, matchTolerance);
+  cage.boundary = hexsweep::gatherSweepBoundary(
+    cage.source.points, cage.target.points, topology.loops, rings, linking.points);
   return cage;
 }
 
@@ -131,8 +131,8 @@ struct SweptMesh
 };
 
 // The ids of one layer, repeated on each of them.
-vtkSmartPointer<vtkIdTypeArray> newRepeatedIds(const char* name, const std::vector<Index>& ids,
-  Index layers)
+vtkSmartPointer<vtkIdTypeArray> newRepeatedIds(
+  const char* name, const std::vector<Index>& ids, Index layers)
 {
   auto array = vtkSmartPointer<vtkIdTypeArray>::New();
   array->SetName(name);
@@ -189,8 +189,8 @@ bool isBad(const HexQuality& quality)
     quality.validity == hexsweep::Validity::Degenerate;
 }
 
-std::string describeProblem(const SweptMesh& mesh, const hexsweep::HexQualitySummary& summary,
-  const std::string& method)
+std::string describeProblem(
+  const SweptMesh& mesh, const hexsweep::HexQualitySummary& summary, const std::string& method)
 {
   std::string text = std::to_string(summary.inverted) + " of " + std::to_string(summary.hexes) +
     " hexahedra are inverted";
@@ -276,11 +276,10 @@ void vtkCageHexInterior::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FailIfInvalid: " << (this->FailIfInvalid ? "On" : "Off") << "\n";
 }
 
-int vtkCageHexInterior::RequestData(vtkInformation*, vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+int vtkCageHexInterior::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const auto body = [&]()
-  {
+  const auto body = [&]() {
     vtkDataSet* sourceData = hexsweep::inputDataSet(inputs, 0);
     vtkDataSet* targetData = hexsweep::inputDataSet(inputs, 1);
     vtkDataSet* linkingData = hexsweep::inputDataSet(inputs, 2);

@@ -51,8 +51,8 @@ int vtkHarmonicDiskMap::RequestData(
     {
       const SurfaceInput other = readTriangles(partner, "partner surface");
       cap = mapLinkedCaps(mesh, { other.points, other.faces },
-        readOptionalQuads(inputDataSet(inputs, 2), "linking sides"), weights,
-        this->MatchTolerance, pipelineProgress(this, 0.1, 0.9))
+        readOptionalQuads(inputDataSet(inputs, 2), "linking sides"), weights, this->MatchTolerance,
+        pipelineProgress(this, 0.1, 0.9))
               .first;
     }
     else

@@ -139,8 +139,8 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   input.source = { quads.points, quads.faces };
   input.target = { triangles.points, triangles.faces };
   input.linking = readOptionalQuads(inputDataSet(inputs, 2), "linking sides");
-  input.method = this->Method == HARMONIC ? ProjectionMethod::Harmonic
-                                          : ProjectionMethod::AffineLeastSquares;
+  input.method =
+    this->Method == HARMONIC ? ProjectionMethod::Harmonic : ProjectionMethod::AffineLeastSquares;
   input.matchTolerance = this->MatchTolerance;
   input.ensureValid = this->EnsureValid;
   input.improveQuality = this->ImproveQuality;

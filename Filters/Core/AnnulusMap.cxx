@@ -32,8 +32,7 @@ bool isClosed(const AngleFunction& angle, const TrianglesRef& triangles)
     double sum = 0.0;
     for (Index c = 0; c < 3; ++c)
     {
-      sum += wrapAngle(
-        angle.values[triangles(t, (c + 1) % 3)] - angle.values[triangles(t, c)]);
+      sum += wrapAngle(angle.values[triangles(t, (c + 1) % 3)] - angle.values[triangles(t, c)]);
     }
     if (std::abs(sum) > 1.0) // either rounding or a whole turn
     {
@@ -53,7 +52,8 @@ SparseMatrix graphLaplacian(Index numberOfPoints, const TrianglesRef& triangles)
     {
       const int i = static_cast<int>(triangles(t, c));
       const int j = static_cast<int>(triangles(t, (c + 1) % 3));
-      entries.insert(entries.end(), { { i, j, -1.0 }, { j, i, -1.0 }, { i, i, 1.0 }, { j, j, 1.0 } });
+      entries.insert(
+        entries.end(), { { i, j, -1.0 }, { j, i, -1.0 }, { i, i, 1.0 }, { j, j, 1.0 } });
     }
   }
   SparseMatrix matrix(numberOfPoints, numberOfPoints);
@@ -72,8 +72,7 @@ AngleFunction windingAngle(const PointsRef& points, const TrianglesRef& triangle
   {
     return angle;
   }
-  angle = angleAbout(
-    filledDiskMap(graphLaplacian(points.rows(), triangles), points, loops, outer));
+  angle = angleAbout(filledDiskMap(graphLaplacian(points.rows(), triangles), points, loops, outer));
   if (!isClosed(angle, triangles))
   {
     throw InvalidInput("no angle about the hole can be defined: the surface's triangulation is too "
@@ -104,7 +103,7 @@ Eigen::VectorXd conformalCorrection(
   std::vector<bool> fixed(static_cast<std::size_t>(symmetricLaplacian.rows()), false);
   fixed[static_cast<std::size_t>(pinned)] = true;
   const DirichletSolver solver(symmetricLaplacian, fixed);
-  return solver.solve(Eigen::VectorXd::Zero(symmetricLaplacian.rows()),
-    angleSource(symmetricLaplacian, angle));
+  return solver.solve(
+    Eigen::VectorXd::Zero(symmetricLaplacian.rows()), angleSource(symmetricLaplacian, angle));
 }
 }

@@ -10,8 +10,8 @@ namespace hexsweep
 namespace
 {
 /// Row i, column j: share of loop node j in the residual at cap point first + i; rows sum to 1.
-Eigen::MatrixXd inverseSquareWeights(const PointsRef& capPoints, const Points& loopNodes,
-  Index first, Index count)
+Eigen::MatrixXd inverseSquareWeights(
+  const PointsRef& capPoints, const Points& loopNodes, Index first, Index count)
 {
   Eigen::MatrixXd weights(count, loopNodes.rows());
   for (Index i = 0; i < count; ++i)
@@ -35,8 +35,9 @@ void addFromCap(const PointsRef& capPoints, const SweepBoundary& boundary, Index
   const Index n = capPoints.rows();
   const Index layers = boundary.numberOfLayers();
   const Points& loopNodes = boundary.rings[cap];
-  const auto share = [&](Index k)
-  { return cap == 0 ? 1.0 - boundary.fractions[k] : boundary.fractions[k]; };
+  const auto share = [&](Index k) {
+    return cap == 0 ? 1.0 - boundary.fractions[k] : boundary.fractions[k];
+  };
 
   // Three columns a layer, so that one product interpolates all layers.
   Eigen::MatrixXd residuals(loopNodes.rows(), 3 * (layers - 1));

@@ -31,12 +31,11 @@ CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weig
   cap.mesh = std::move(refined.mesh);
   cap.triangleOrigin = std::move(refined.triangleOrigin);
   cap.numberOfOriginalPoints = mesh.points.rows();
-  cap.loops = checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), "triangles of the cap").loops;
+  cap.loops =
+    checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), "triangles of the cap").loops;
   const Points& points = cap.mesh.points;
-  const auto outer = std::max_element(
-    cap.loops.begin(), cap.loops.end(), [&](const Loop& a, const Loop& b) {
-      return loopLength(points, a) < loopLength(points, b);
-    });
+  const auto outer = std::max_element(cap.loops.begin(), cap.loops.end(),
+    [&](const Loop& a, const Loop& b) { return loopLength(points, a) < loopLength(points, b); });
   std::rotate(cap.loops.begin(), outer, outer + 1);
 
   std::vector<PlanePoints> places{ circlePoints(

@@ -240,11 +240,13 @@ CapBoundary splitAtUnion(TriangleMesh mesh, const AttachedLoops& attached,
       const std::size_t end = unitedPlace(all, n, places[next]);
       cap.loops[p][begin] = loop[i];
       const double from = all[begin];
-      const double span = std::fmod(all[end] - from + static_cast<double>(n), static_cast<double>(n));
+      const double span =
+        std::fmod(all[end] - from + static_cast<double>(n), static_cast<double>(n));
       EdgeSubdivision subdivision{ loop[i], loop[next], {} };
       for (std::size_t k = (begin + 1) % all.size(); k != end; k = (k + 1) % all.size())
       {
-        const double along = std::fmod(all[k] - from + static_cast<double>(n), static_cast<double>(n));
+        const double along =
+          std::fmod(all[k] - from + static_cast<double>(n), static_cast<double>(n));
         subdivision.fractions.push_back(along / span);
       }
       if (!subdivision.fractions.empty())
@@ -283,8 +285,8 @@ LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstL
   const PointsRef& secondCap, const std::vector<Loop>& secondLoops, const PointsRef& linkingPoints,
   const QuadsRef& linkingQuads, double matchTolerance)
 {
-  const Quads quads = orientFaces(
-    weldLinkingSeams(linkingPoints, linkingQuads, matchTolerance), "linking sides");
+  const Quads quads =
+    orientFaces(weldLinkingSeams(linkingPoints, linkingQuads, matchTolerance), "linking sides");
   const SurfaceTopology topology = checkSurface(quads, linkingPoints.rows(), "linking sides");
   const BoundarySearch onFirst(firstCap, firstLoops);
   const BoundarySearch onSecond(secondCap, secondLoops);
@@ -318,8 +320,8 @@ LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstL
     linked.pairs.push_back({ ringPoints(rings, linkingPoints, l, 0),
       ringPoints(rings, linkingPoints, l, rings.numberOfLayers()) });
   }
-  const auto longest = std::max_element(linked.pairs.begin(), linked.pairs.end(),
-    [](const LoopPair& a, const LoopPair& b) {
+  const auto longest = std::max_element(
+    linked.pairs.begin(), linked.pairs.end(), [](const LoopPair& a, const LoopPair& b) {
       return length(a.first) + length(a.second) < length(b.first) + length(b.second);
     });
   std::rotate(linked.pairs.begin(), longest, longest + 1);

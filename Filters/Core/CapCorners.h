@@ -22,9 +22,9 @@ struct QuadCorner
 {
   Index node[3];
   Index quad;
-  Index corner;  ///< 0 to 3
-  Index column;  ///< number of the column direction that it is projected along, or -1: the surface
-  bool movable;  ///< one of the three nodes is free
+  Index corner; ///< 0 to 3
+  Index column; ///< number of the column direction that it is projected along, or -1: the surface
+  bool movable; ///< one of the three nodes is free
 };
 
 /// Scaled Jacobian of a corner with edges a, b about a unit normal.

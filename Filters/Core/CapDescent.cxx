@@ -38,7 +38,7 @@ struct CapDescent::System
 {
   std::vector<int> Variable; // node -> free node or -1
   SparseMatrix Hessian;
-  std::vector<int> Slots;    // 9 a corner: value index of each column of each block's first row
+  std::vector<int> Slots; // 9 a corner: value index of each column of each block's first row
   Eigen::SimplicialLDLT<SparseMatrix> Factor;
 
   /// Index of the first of two consecutive values: rows 2 i and 2 i + 1 of column 2 j + c.
@@ -47,8 +47,7 @@ struct CapDescent::System
     const int column = 2 * j + c;
     const int* begin = this->Hessian.innerIndexPtr() + this->Hessian.outerIndexPtr()[column];
     const int* end = this->Hessian.innerIndexPtr() + this->Hessian.outerIndexPtr()[column + 1];
-    return static_cast<int>(
-      std::lower_bound(begin, end, 2 * i) - this->Hessian.innerIndexPtr());
+    return static_cast<int>(std::lower_bound(begin, end, 2 * i) - this->Hessian.innerIndexPtr());
   }
 };
 

@@ -43,8 +43,7 @@ public:
   };
 
   /// @param steps at the most; fewer once a step lowers the sum by less than relativeDecrease.
-  Result descend(
-    const Points& points, const Term& term, int steps, double relativeDecrease) const;
+  Result descend(const Points& points, const Term& term, int steps, double relativeDecrease) const;
 
 private:
   struct System;

@@ -60,8 +60,8 @@ void separateCircles(std::vector<Circle>& circles)
   }
 }
 
-std::vector<double> holeAngles(const std::vector<double>& lengths, const PlanePoints& disk,
-  const Loop& loop, const Circle& hole)
+std::vector<double> holeAngles(
+  const std::vector<double>& lengths, const PlanePoints& disk, const Loop& loop, const Circle& hole)
 {
   double cosine = 0.0;
   double sine = 0.0;
@@ -93,8 +93,7 @@ void mapWithFallback(
     return;
   }
   PlanePoints disk = map(Weights::MeanValue);
-  std::vector<Index> flipped =
-    domainTriangles(result.domain, disk, result.mesh.triangles).flipped;
+  std::vector<Index> flipped = domainTriangles(result.domain, disk, result.mesh.triangles).flipped;
   if (flipped.size() < result.flipped.size())
   {
     result.disk = std::move(disk);

@@ -57,8 +57,7 @@ std::vector<double> holeAngles(const std::vector<double>& lengths, const PlanePo
  * Calls map(weights) and keeps what has the fewest flips: the wanted weights first, mean value
  * weights if those fold. Fills disk, weights, flipped and flipsBefore.
  */
-void mapWithFallback(
-  CapDisk& cap, Weights weights, const std::function<PlanePoints(Weights)>& map);
+void mapWithFallback(CapDisk& cap, Weights weights, const std::function<PlanePoints(Weights)>& map);
 }
 
 #endif

@@ -54,8 +54,8 @@ std::vector<double> mean(const std::vector<double>& a, const std::vector<double>
 struct CylinderCap
 {
   AngleFunction angle;
-  Eigen::VectorXd correction;   // conformal angle = angle + correction
-  double logRadius = 0.0;       // conformal modulus: log(outer radius / hole radius)
+  Eigen::VectorXd correction; // conformal angle = angle + correction
+  double logRadius = 0.0;     // conformal modulus: log(outer radius / hole radius)
 };
 
 CylinderCap measureCylinder(const CapBoundary& cap)
@@ -98,8 +98,7 @@ bool isMonotone(const std::vector<double>& angles, double direction)
 {
   for (std::size_t k = 0; k < angles.size(); ++k)
   {
-    const double next =
-      k + 1 < angles.size() ? angles[k + 1] : angles[0] + direction * 2.0 * Pi;
+    const double next = k + 1 < angles.size() ? angles[k + 1] : angles[0] + direction * 2.0 * Pi;
     if (!((next - angles[k]) * direction > 0.0))
     {
       return false;
@@ -155,8 +154,8 @@ PlanePoints mapToAnnulus(const CapBoundary& cap, const CylinderCap& own,
   for (Index i = 0; i < n; ++i)
   {
     const double angle = own.angle.values[i] + solution(i, 0);
-    disk.row(i) = std::exp(-logRadius * solution(i, 1)) *
-      Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+    disk.row(i) =
+      std::exp(-logRadius * solution(i, 1)) * Eigen::RowVector2d(std::cos(angle), std::sin(angle));
   }
   return disk;
 }
@@ -174,8 +173,8 @@ void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
   for (std::size_t p = 0; p < 2; ++p)
   {
     const double direction = p == 0 ? 1.0 : -1.0;
-    firstAngles.push_back(safeLoopAngles(
-      first, caps.first.loops[p], caps.pairs[p].first, caps.united[p], direction));
+    firstAngles.push_back(
+      safeLoopAngles(first, caps.first.loops[p], caps.pairs[p].first, caps.united[p], direction));
     secondAngles.push_back(safeLoopAngles(
       second, caps.second.loops[p], caps.pairs[p].second, caps.united[p], direction));
   }
@@ -232,8 +231,8 @@ void mapCircles(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
   if (caps.pairs.size() > 1)
   {
     const auto filled = [&](const CapBoundary& cap) {
-      return filledDiskMap(cotangentLaplacian(cap.mesh.points, cap.mesh.triangles),
-        cap.mesh.points, cap.loops, places[0]);
+      return filledDiskMap(cotangentLaplacian(cap.mesh.points, cap.mesh.triangles), cap.mesh.points,
+        cap.loops, places[0]);
     };
     const FilledDiskMap first = filled(caps.first);
     const FilledDiskMap second = filled(caps.second);
@@ -245,12 +244,10 @@ void mapCircles(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
     separateCircles(holes);
     for (std::size_t p = 1; p < caps.pairs.size(); ++p)
     {
-      const std::vector<double> a = holeAngles(
-        ringAngles(caps.pairs[p].first, caps.united[p]), first.disk, caps.first.loops[p],
-        first.holes[p - 1]);
-      std::vector<double> b = holeAngles(
-        ringAngles(caps.pairs[p].second, caps.united[p]), second.disk, caps.second.loops[p],
-        second.holes[p - 1]);
+      const std::vector<double> a = holeAngles(ringAngles(caps.pairs[p].first, caps.united[p]),
+        first.disk, caps.first.loops[p], first.holes[p - 1]);
+      std::vector<double> b = holeAngles(ringAngles(caps.pairs[p].second, caps.united[p]),
+        second.disk, caps.second.loops[p], second.holes[p - 1]);
       double difference = 0.0;
       for (std::size_t k = 0; k < a.size(); ++k)
       {
@@ -264,13 +261,12 @@ void mapCircles(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
       places.push_back(circlePoints(holes[p - 1], mean(a, b)));
     }
   }
-  disks.first.domain = disks.second.domain =
-    holes.empty() ? DiskDomain::Disk : DiskDomain::Circles;
+  disks.first.domain = disks.second.domain = holes.empty() ? DiskDomain::Disk : DiskDomain::Circles;
   disks.first.holes = disks.second.holes = holes;
-  mapWithFallback(
-    disks.first, weights, [&](Weights w) { return mapToPlane(caps.first.mesh, caps.first.loops, places, w); });
-  mapWithFallback(
-    disks.second, weights, [&](Weights w) { return mapToPlane(caps.second.mesh, caps.second.loops, places, w); });
+  mapWithFallback(disks.first, weights,
+    [&](Weights w) { return mapToPlane(caps.first.mesh, caps.first.loops, places, w); });
+  mapWithFallback(disks.second, weights,
+    [&](Weights w) { return mapToPlane(caps.second.mesh, caps.second.loops, places, w); });
 }
 
 CapDisk startFrom(const CapBoundary& cap, Index numberOfOriginalPoints)

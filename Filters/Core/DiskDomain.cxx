@@ -51,7 +51,8 @@ DomainTriangles domainTriangles(
 {
   DomainTriangles result;
   std::vector<double> corners;
-  const auto append = [&](const Eigen::Matrix<double, 3, 2, Eigen::RowMajor>& triangle, double shift) {
+  const auto append = [&](const Eigen::Matrix<double, 3, 2, Eigen::RowMajor>& triangle,
+                        double shift) {
     for (Index c = 0; c < 3; ++c)
     {
       corners.insert(corners.end(), { triangle(c, 0), triangle(c, 1) + shift, 0.0 });
@@ -81,7 +82,8 @@ DomainTriangles domainTriangles(
       }
     }
   }
-  result.corners = Eigen::Map<const Points>(corners.data(), static_cast<Index>(corners.size()) / 3, 3);
+  result.corners =
+    Eigen::Map<const Points>(corners.data(), static_cast<Index>(corners.size()) / 3, 3);
   return result;
 }
 }

@@ -86,8 +86,8 @@ PlanePoints circlePoints(const Circle& circle, const std::vector<double>& angles
   PlanePoints points(static_cast<Index>(angles.size()), 2);
   for (std::size_t i = 0; i < angles.size(); ++i)
   {
-    points.row(static_cast<Index>(i)) = circle.center +
-      circle.radius * Eigen::RowVector2d(std::cos(angles[i]), std::sin(angles[i]));
+    points.row(static_cast<Index>(i)) =
+      circle.center + circle.radius * Eigen::RowVector2d(std::cos(angles[i]), std::sin(angles[i]));
   }
   return points;
 }
@@ -125,8 +125,8 @@ FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& poin
   map.disk = solution.topRows(n);
   for (Index h = 0; h < holes; ++h)
   {
-    map.holes.push_back({ solution.row(n + h),
-      equivalentRadius(map.disk, loops[static_cast<std::size_t>(h) + 1]) });
+    map.holes.push_back(
+      { solution.row(n + h), equivalentRadius(map.disk, loops[static_cast<std::size_t>(h) + 1]) });
   }
   return map;
 }

@@ -80,8 +80,7 @@ Distortion<Dim> distortion(
   const double volume = (1.0 + det * det) / (2.0 * chi);
   result.value = (1.0 - theta) * shape + theta * volume;
   result.gradient = (1.0 - theta) * 2.0 / (Dim * power) * jacobian +
-    ((1.0 - theta) * shape * (-2.0 / Dim) * logSlope +
-      theta * (det / chi - volume * logSlope)) *
+    ((1.0 - theta) * shape * (-2.0 / Dim) * logSlope + theta * (det / chi - volume * logSlope)) *
       cofactor;
 
   // |J|^2 / y is convex in (J, y): what is left out is the curvature of y = chi^(2/d) in J.

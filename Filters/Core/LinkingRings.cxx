@@ -109,8 +109,8 @@ public:
       {
         const Cell low = { middle[0] + dx, middle[1] + dy, middle[2] - 1 };
         const Cell high = { middle[0] + dx, middle[1] + dy, middle[2] + 2 };
-        auto entry = std::lower_bound(this->Entries.begin(), this->Entries.end(),
-          std::make_pair(low, Index{ None }));
+        auto entry = std::lower_bound(
+          this->Entries.begin(), this->Entries.end(), std::make_pair(low, Index{ None }));
         for (; entry != this->Entries.end() && entry->first < high; ++entry)
         {
           const double distance = (this->Positions.row(entry->second) - place).norm();
@@ -199,15 +199,13 @@ void forEachEdge(const std::vector<QuadEdge>& edges, const Visit& visit)
 std::vector<Index> boundaryPoints(const std::vector<QuadEdge>& edges)
 {
   std::vector<Index> ids;
-  forEachEdge(edges,
-    [&ids](auto first, auto last)
+  forEachEdge(edges, [&ids](auto first, auto last) {
+    if (last - first == 1)
     {
-      if (last - first == 1)
-      {
-        ids.push_back(first->low);
-        ids.push_back(first->high);
-      }
-    });
+      ids.push_back(first->low);
+      ids.push_back(first->high);
+    }
+  });
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
@@ -216,8 +214,8 @@ std::vector<Index> boundaryPoints(const std::vector<QuadEdge>& edges)
 /// Length of the shortest quad edge at each point.
 std::vector<double> shortestEdges(const PointsRef& points, const std::vector<QuadEdge>& edges)
 {
-  std::vector<double> shortest(static_cast<std::size_t>(points.rows()),
-    std::numeric_limits<double>::max());
+  std::vector<double> shortest(
+    static_cast<std::size_t>(points.rows()), std::numeric_limits<double>::max());
   for (const QuadEdge& edge : edges)
   {
     const double length = (points.row(edge.low) - points.row(edge.high)).norm();
@@ -253,13 +251,12 @@ void checkQuads(const PointsRef& points, const QuadsRef& quads)
 }
 
 /// Joins patches that repeat the points of their common seam: point id -> smallest id there.
-std::vector<Index> weldSeams(const PointsRef& points, const Quads& quads, double matchTolerance,
-  double roundingError)
+std::vector<Index> weldSeams(
+  const PointsRef& points, const Quads& quads, double matchTolerance, double roundingError)
 {
   std::vector<Index> root(static_cast<std::size_t>(points.rows()));
   std::iota(root.begin(), root.end(), Index{ 0 });
-  const auto find = [&root](Index i)
-  {
+  const auto find = [&root](Index i) {
     while (root[i] != i)
     {
       root[i] = root[root[i]];
@@ -271,8 +268,9 @@ std::vector<Index> weldSeams(const PointsRef& points, const Quads& quads, double
   const std::vector<QuadEdge> edges = sortedEdges(quads);
   const std::vector<Index> candidates = boundaryPoints(edges);
   const std::vector<double> edgeLength = shortestEdges(points, edges);
-  const auto radiusOf = [&](Index id)
-  { return coincidenceDistance(matchTolerance, edgeLength[id], roundingError); };
+  const auto radiusOf = [&](Index id) {
+    return coincidenceDistance(matchTolerance, edgeLength[id], roundingError);
+  };
 
   double largestRadius = 0.0;
   for (const Index id : candidates)
@@ -282,13 +280,11 @@ std::vector<Index> weldSeams(const PointsRef& points, const Quads& quads, double
   const PointGrid grid(points, candidates, largestRadius);
   for (const Index id : candidates)
   {
-    grid.forEachNear(points.row(id), radiusOf(id),
-      [&](Index other, double)
-      {
-        const Index a = find(id);
-        const Index b = find(other);
-        root[std::max(a, b)] = std::min(a, b);
-      });
+    grid.forEachNear(points.row(id), radiusOf(id), [&](Index other, double) {
+      const Index a = find(id);
+      const Index b = find(other);
+      root[std::max(a, b)] = std::min(a, b);
+    });
   }
   for (Index i = 0; i < points.rows(); ++i)
   {
@@ -304,33 +300,32 @@ public:
   QuadNeighbors(const PointsRef& points, const Quads& quads)
     : Edges(sortedEdges(quads))
   {
-    forEachEdge(this->Edges,
-      [&points](auto first, auto last)
+    forEachEdge(this->Edges, [&points](auto first, auto last) {
+      if (first->low == first->high)
       {
-        if (first->low == first->high)
-        {
-          throw InvalidInput("Quad " + std::to_string(first->quad) +
-            " of the linking sides has an edge of no length at " +
-            describe(points.row(first->low)) + ". Remove the collapsed quads.");
-        }
-        if (last - first > 2)
-        {
-          throw InvalidInput(std::to_string(last - first) +
-            " quads of the linking sides meet at the edge from " +
-            describe(points.row(first->low)) + " to " + describe(points.row(first->high)) +
-            "; at most two may. Remove duplicate cells, and cells that are not on a linking side.");
-        }
-      });
+        throw InvalidInput("Quad " + std::to_string(first->quad) +
+          " of the linking sides has an edge of no length at " + describe(points.row(first->low)) +
+          ". Remove the collapsed quads.");
+      }
+      if (last - first > 2)
+      {
+        throw InvalidInput(std::to_string(last - first) +
+          " quads of the linking sides meet at the edge from " + describe(points.row(first->low)) +
+          " to " + describe(points.row(first->high)) +
+          "; at most two may. Remove duplicate cells, and cells that are not on a linking side.");
+      }
+    });
   }
 
   /// The one or two entries of the edge between two points; an empty range when there is none.
   std::pair<const QuadEdge*, const QuadEdge*> edge(Index a, Index b) const
   {
     const auto ends = std::minmax(a, b);
-    const auto before = [](const QuadEdge& entry, const std::pair<Index, Index>& key)
-    { return std::make_pair(entry.low, entry.high) < key; };
-    const auto first = std::lower_bound(this->Edges.begin(), this->Edges.end(),
-      std::make_pair(ends.first, ends.second), before);
+    const auto before = [](const QuadEdge& entry, const std::pair<Index, Index>& key) {
+      return std::make_pair(entry.low, entry.high) < key;
+    };
+    const auto first = std::lower_bound(
+      this->Edges.begin(), this->Edges.end(), std::make_pair(ends.first, ends.second), before);
     auto last = first;
     while (last != this->Edges.end() && last->low == ends.first && last->high == ends.second)
     {
@@ -363,15 +358,13 @@ Loop matchLoop(const PointsRef& sourcePoints, const Loop& loop, std::size_t loop
     const Eigen::RowVector3d place = sourcePoints.row(loop[j]);
     const double radius = coincidenceDistance(matchTolerance, edgeLength[j], roundingError);
     double nearest = std::numeric_limits<double>::max();
-    grid.forEachNear(place, radius,
-      [&](Index id, double distance)
+    grid.forEachNear(place, radius, [&](Index id, double distance) {
+      if (distance < nearest || (distance == nearest && id < ring[j]))
       {
-        if (distance < nearest || (distance == nearest && id < ring[j]))
-        {
-          nearest = distance;
-          ring[j] = id;
-        }
-      });
+        nearest = distance;
+        ring[j] = id;
+      }
+    });
     if (ring[j] == None)
     {
       for (const Index id : candidates)
@@ -417,8 +410,8 @@ public:
       rings.push_back(std::move(next));
     }
 
-    LinkingRings::RingTable table(static_cast<Index>(rings.size()),
-      static_cast<Index>(firstRing.size()));
+    LinkingRings::RingTable table(
+      static_cast<Index>(rings.size()), static_cast<Index>(firstRing.size()));
     for (std::size_t k = 0; k < rings.size(); ++k)
     {
       table.row(static_cast<Index>(k)) =
@@ -591,8 +584,8 @@ void checkSameLayers(const LinkingRings& rings)
 }
 }
 
-Quads weldLinkingSeams(const PointsRef& linkingPoints, const QuadsRef& linkingQuads,
-  double matchTolerance)
+Quads weldLinkingSeams(
+  const PointsRef& linkingPoints, const QuadsRef& linkingQuads, double matchTolerance)
 {
   checkQuads(linkingPoints, linkingQuads);
   const std::vector<Index> welded =
@@ -643,8 +636,8 @@ LinkingRings traceLinkingRings(const PointsRef& sourcePoints, const std::vector<
   return rings;
 }
 
-Points ringPoints(const LinkingRings& rings, const PointsRef& linkingPoints, std::size_t loop,
-  Index ring)
+Points ringPoints(
+  const LinkingRings& rings, const PointsRef& linkingPoints, std::size_t loop, Index ring)
 {
   const LinkingRings::RingTable& table = rings.loops.at(loop);
   Points points(table.cols(), 3);

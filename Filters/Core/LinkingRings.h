@@ -46,8 +46,8 @@ struct LinkingRings
  * @param matchTolerance as for traceLinkingRings().
  * @throw InvalidInput when a quad names a point that does not exist or is not finite.
  */
-Quads weldLinkingSeams(const PointsRef& linkingPoints, const QuadsRef& linkingQuads,
-  double matchTolerance = 1e-6);
+Quads weldLinkingSeams(
+  const PointsRef& linkingPoints, const QuadsRef& linkingQuads, double matchTolerance = 1e-6);
 
 /**
  * Walks over the linking quads from the source loops to the far end.
@@ -77,8 +77,8 @@ LinkingRings traceLinkingRings(const PointsRef& sourcePoints, const std::vector<
  *
  * @param ring in [0, numberOfLayers()].
  */
-Points ringPoints(const LinkingRings& rings, const PointsRef& linkingPoints, std::size_t loop,
-  Index ring);
+Points ringPoints(
+  const LinkingRings& rings, const PointsRef& linkingPoints, std::size_t loop, Index ring);
 
 /// What matchTargetLoops() found.
 struct TargetMatch

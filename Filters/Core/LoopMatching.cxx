@@ -79,10 +79,9 @@ std::vector<Polygon> polygons(const PointsRef& points, const std::vector<Loop>& 
 
 std::size_t longest(const std::vector<Polygon>& loops)
 {
-  return static_cast<std::size_t>(std::max_element(loops.begin(), loops.end(),
-                                    [](const Polygon& a, const Polygon& b) {
-                                      return a.length() < b.length();
-                                    }) -
+  return static_cast<std::size_t>(
+    std::max_element(loops.begin(), loops.end(),
+      [](const Polygon& a, const Polygon& b) { return a.length() < b.length(); }) -
     loops.begin());
 }
 
@@ -99,8 +98,8 @@ struct Motion
 };
 
 /// Pairs all holes, the nearest ones first.
-std::vector<std::size_t> pairLoops(const std::vector<Polygon>& source,
-  const std::vector<Polygon>& target, const Motion& motion)
+std::vector<std::size_t> pairLoops(
+  const std::vector<Polygon>& source, const std::vector<Polygon>& target, const Motion& motion)
 {
   std::vector<std::size_t> partner(source.size(), target.size());
   std::vector<bool> taken(target.size(), false);

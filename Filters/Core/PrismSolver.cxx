@@ -16,8 +16,8 @@ namespace
 using Sparse = Eigen::SparseMatrix<double>;
 
 /// Rows and columns of a matrix, picked; the result has exactly the entries that are stored.
-Sparse block(const Sparse& matrix, const std::vector<Index>& rows,
-  const std::vector<Index>& columns)
+Sparse block(
+  const Sparse& matrix, const std::vector<Index>& rows, const std::vector<Index>& columns)
 {
   std::vector<int> newRow(static_cast<std::size_t>(matrix.rows()), -1);
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -59,8 +59,8 @@ Eigen::MatrixXd sineMatrix(Index layers)
 }
 
 /// Values of some points on the inner layers: one row a layer, three columns a point.
-Eigen::MatrixXd gatherColumns(const PointsRef& values, Index pointsPerLayer, Index layers,
-  const std::vector<Index>& ids)
+Eigen::MatrixXd gatherColumns(
+  const PointsRef& values, Index pointsPerLayer, Index layers, const std::vector<Index>& ids)
 {
   Eigen::MatrixXd gathered(layers - 1, 3 * static_cast<Index>(ids.size()));
   for (Index k = 1; k < layers; ++k)
@@ -132,8 +132,7 @@ Points PrismSolver::extend(const PointsRef& values, const Progress& progress) co
   const double h = this->LayerHeight;
 
   // What layers 0 and L add to the right-hand sides of layers 1 and L - 1.
-  const auto capLoad = [&](const Points& cap) -> Points
-  {
+  const auto capLoad = [&](const Points& cap) -> Points {
     const Points load = M * (cap / h) - K * (cap * (h / 6.0));
     Points picked(static_cast<Index>(this->Free.size()), 3);
     for (std::size_t i = 0; i < this->Free.size(); ++i)

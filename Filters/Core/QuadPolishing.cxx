@@ -13,14 +13,15 @@ namespace hexsweep
 namespace
 {
 constexpr int NewtonSteps = 8;
-constexpr double Settled = 1e-3;          // relative decrease of the sum that ends a descent
-constexpr double DistortionWeight = 0.002;
+constexpr double Settled = 1e-3; // relative decrease of the sum that ends a descent
+/// Less of it gives higher scaled Jacobians and long thin quads that twist the hexes on them.
+constexpr double DistortionWeight = 0.05;
 constexpr double DistortionEpsilon = 1e-3;
 constexpr double Sharpness[] = { 10.0, 20.0, 40.0, 80.0 };
 constexpr int MeanRounds = 6;
 constexpr double BarrierWeight = 0.002;
 constexpr double KeptOfMinimum = 0.6;
-constexpr double LeastGain = 1e-3;        // of the mean, for another round
+constexpr double LeastGain = 1e-3; // of the mean, for another round
 
 /// exp(k (floor - x)) above the floor, continued as a parabola below it.
 CurvePoint softMinimum(double x, double floor, double k)

@@ -126,9 +126,8 @@ ProjectedQuads projectAffinely(const PointsRef& quadPoints, const std::vector<bo
     // boundary.
     const auto corners = target.triangles.row(last);
     const Eigen::RowVector3d a = target.points.row(corners[0]);
-    const Eigen::RowVector3d normal = (target.points.row(corners[1]) - a)
-                                        .cross(target.points.row(corners[2]) - a)
-                                        .normalized();
+    const Eigen::RowVector3d normal =
+      (target.points.row(corners[1]) - a).cross(target.points.row(corners[2]) - a).normalized();
     result.points.row(i) = mapped.row(i) - (mapped.row(i) - a).dot(normal) * normal;
   });
   return result;

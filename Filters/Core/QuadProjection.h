@@ -46,8 +46,8 @@ ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vecto
 
 /**
  * The traditional projection: the affine map that fits the loops best, then down to the target
- * surface along the normal of its nearest triangle (X. Roca, J. Sarrate, A. Huerta: least-squares approximation of affine
- * mappings for sweep mesh generation).
+ * surface along the normal of its nearest triangle (X. Roca, J. Sarrate, A. Huerta: least-squares
+ * approximation of affine mappings for sweep mesh generation).
  *
  * @param outerLoop nodes of the outer loop, in order; they fix the normal direction of flat caps.
  */

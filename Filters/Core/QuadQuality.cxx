@@ -10,8 +10,7 @@
 
 namespace hexsweep
 {
-QuadQuality quadQuality(
-  const PointsRef& points, const QuadsRef& quads, const PointsRef& normals)
+QuadQuality quadQuality(const PointsRef& points, const QuadsRef& quads, const PointsRef& normals)
 {
   const auto cornerArea = [&](Index q, Index c) {
     const Index i = quads(q, c);

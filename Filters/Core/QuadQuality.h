@@ -29,8 +29,7 @@ struct QuadQuality
  *
  * @param normals n x 3 unit normals at the quads' points.
  */
-QuadQuality quadQuality(
-  const PointsRef& points, const QuadsRef& quads, const PointsRef& normals);
+QuadQuality quadQuality(const PointsRef& points, const QuadsRef& quads, const PointsRef& normals);
 }
 
 #endif

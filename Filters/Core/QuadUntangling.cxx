@@ -16,9 +16,9 @@ namespace
 {
 constexpr int MaximumRounds = 100;
 constexpr int NewtonSteps = 6;
-constexpr double Settled = 1e-3;      // relative decrease of the energy that ends a round
-constexpr double FirstEpsilon = 1.0;  // of the wanted corner's area
-constexpr double LeastRate = 0.3;     // by which the regularisation falls in a round
+constexpr double Settled = 1e-3;     // relative decrease of the energy that ends a round
+constexpr double FirstEpsilon = 1.0; // of the wanted corner's area
+constexpr double LeastRate = 0.3;    // by which the regularisation falls in a round
 
 double leastDeterminant(
   const CapCorners& cap, const std::vector<Eigen::Matrix2d>& inverse, const Points& points)
@@ -32,8 +32,8 @@ double leastDeterminant(
     {
       const Eigen::RowVector3d a = points.row(corner.node[1]) - points.row(corner.node[0]);
       const Eigen::RowVector3d b = points.row(corner.node[2]) - points.row(corner.node[0]);
-      least = std::min(
-        least, a.cross(b).dot(cap.normal(corner, normals)) * inverse[c].determinant());
+      least =
+        std::min(least, a.cross(b).dot(cap.normal(corner, normals)) * inverse[c].determinant());
     }
   }
   return least;
@@ -74,8 +74,8 @@ ImprovedQuads untangleQuads(
       {
         return best;
       }
-      epsilon = nextEpsilon(epsilon, leastDeterminant(cap, inverse, current), step.before,
-        step.after, LeastRate);
+      epsilon = nextEpsilon(
+        epsilon, leastDeterminant(cap, inverse, current), step.before, step.after, LeastRate);
     }
   }
   return best;

@@ -62,7 +62,8 @@ std::vector<double> placeByLength(const Points& chain, const RingPiece& piece)
   for (Index i = 1; i + 1 < count; ++i)
   {
     const double fraction = length[static_cast<std::size_t>(i)] / length.back();
-    places.push_back((1.0 - fraction) * piece.parameters.front() + fraction * piece.parameters.back());
+    places.push_back(
+      (1.0 - fraction) * piece.parameters.front() + fraction * piece.parameters.back());
   }
   return places;
 }
@@ -118,8 +119,7 @@ std::vector<double> placeByDistance(const Points& chain, const RingPiece& piece)
 /// Moves places apart that coincide or go back, by a small part of the piece.
 void makeStrict(std::vector<double>& places, double from, double to)
 {
-  const double gap =
-    std::min(1e-3, (to - from) / (4.0 * static_cast<double>(places.size() + 1)));
+  const double gap = std::min(1e-3, (to - from) / (4.0 * static_cast<double>(places.size() + 1)));
   double last = from;
   for (double& place : places)
   {
@@ -204,8 +204,7 @@ std::vector<double> ringParameters(
     if (node[static_cast<std::size_t>(i)] >= 0)
     {
       anchors.push_back(i);
-      result[static_cast<std::size_t>(i)] =
-        static_cast<double>(node[static_cast<std::size_t>(i)]);
+      result[static_cast<std::size_t>(i)] = static_cast<double>(node[static_cast<std::size_t>(i)]);
     }
   }
   if (anchors.empty())
@@ -253,8 +252,8 @@ std::vector<double> ringParameters(
       chain.row(i) = polygon.row((begin + i) % m);
     }
     const RingPiece piece = ringPiece(ring, from, to);
-    std::vector<double> places = piece.parameters.size() == 2 ? placeByLength(chain, piece)
-                                                              : placeByDistance(chain, piece);
+    std::vector<double> places =
+      piece.parameters.size() == 2 ? placeByLength(chain, piece) : placeByDistance(chain, piece);
     makeStrict(places, from, to);
     for (Index i = 0; i < inner; ++i)
     {
@@ -287,8 +286,8 @@ std::vector<double> uniteParameters(
     }
   }
   std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end(),
-              [](double a, double b) { return b - a <= SamePlace; }),
+  all.erase(
+    std::unique(all.begin(), all.end(), [](double a, double b) { return b - a <= SamePlace; }),
     all.end());
   return all;
 }
@@ -310,8 +309,8 @@ std::vector<double> ringLengths(const PointsRef& ring, const std::vector<double>
   std::vector<double> nodeLength(static_cast<std::size_t>(n) + 1, 0.0);
   for (Index j = 0; j < n; ++j)
   {
-    nodeLength[static_cast<std::size_t>(j) + 1] = nodeLength[static_cast<std::size_t>(j)] +
-      (ring.row((j + 1) % n) - ring.row(j)).norm();
+    nodeLength[static_cast<std::size_t>(j) + 1] =
+      nodeLength[static_cast<std::size_t>(j)] + (ring.row((j + 1) % n) - ring.row(j)).norm();
   }
   std::vector<double> lengths;
   for (const double s : united)

@@ -40,8 +40,8 @@ public:
     }
     for (Index t = 0; t < mesh.triangles.rows(); ++t)
     {
-      const auto face = this->Mesh.add_face(vertex(mesh.triangles(t, 0)),
-        vertex(mesh.triangles(t, 1)), vertex(mesh.triangles(t, 2)));
+      const auto face = this->Mesh.add_face(
+        vertex(mesh.triangles(t, 0)), vertex(mesh.triangles(t, 1)), vertex(mesh.triangles(t, 2)));
       if (!face.is_valid())
       {
         throw InvalidInput("triangle " + std::to_string(t) +

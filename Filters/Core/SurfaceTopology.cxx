@@ -79,8 +79,8 @@ void checkCorners(const FacesRef& faces, Index numberOfPoints, const std::string
       const Index p = faces(f, c);
       if (p < 0 || p >= numberOfPoints)
       {
-        throw InvalidInput("the " + what + ": face " + std::to_string(f) +
-          " names point " + std::to_string(p) + ", which does not exist.");
+        throw InvalidInput("the " + what + ": face " + std::to_string(f) + " names point " +
+          std::to_string(p) + ", which does not exist.");
       }
       for (Index d = 0; d < c; ++d)
       {
@@ -173,8 +173,7 @@ void checkFans(const std::vector<Side>& sides, const FacesRef& faces, Index numb
       const Index found = fans.find(f * corners + c);
       if (fan >= 0 && fan != found)
       {
-        throw InvalidInput("the " + what + ": faces touch in point " +
-          std::to_string(faces(f, c)) +
+        throw InvalidInput("the " + what + ": faces touch in point " + std::to_string(faces(f, c)) +
           " only. Separate them, or join them along an edge.");
       }
       fan = found;
@@ -211,8 +210,7 @@ std::vector<Loop> collectLoops(const std::unordered_map<Index, Index>& next)
 }
 }
 
-SurfaceTopology checkSurface(
-  const FacesRef& faces, Index numberOfPoints, const std::string& what)
+SurfaceTopology checkSurface(const FacesRef& faces, Index numberOfPoints, const std::string& what)
 {
   if (faces.rows() == 0)
   {
@@ -315,8 +313,8 @@ Faces orientFaces(const FacesRef& faces, const std::string& what)
         }
         else if (other != wanted)
         {
-          throw InvalidInput("the " + what +
-            " cannot be oriented (a Moebius strip): a cap must have two sides.");
+          throw InvalidInput(
+            "the " + what + " cannot be oriented (a Moebius strip): a cap must have two sides.");
         }
       }
     }

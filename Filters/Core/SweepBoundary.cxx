@@ -85,8 +85,9 @@ SweepBoundary gatherSweepBoundary(const PointsRef& sourcePoints, const PointsRef
 
 AffineMap fitLayerMap(const SweepBoundary& boundary, Index from, Index to)
 {
-  const auto area = [&boundary](Index layer)
-  { return areaVector(boundary.rings[layer].middleRows(boundary.outerBegin, boundary.outerSize)); };
+  const auto area = [&boundary](Index layer) {
+    return areaVector(boundary.rings[layer].middleRows(boundary.outerBegin, boundary.outerSize));
+  };
   return fitAffineMap(boundary.rings[from], boundary.rings[to], area(from), area(to));
 }
 

@@ -59,8 +59,7 @@ CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
   {
     return commonDiskMap(cap, partner, linked.pairs, weights, matchTolerance, progress);
   }
-  CommonDisks disks =
-    commonDiskMap(partner, cap, linked.pairs, weights, matchTolerance, progress);
+  CommonDisks disks = commonDiskMap(partner, cap, linked.pairs, weights, matchTolerance, progress);
   std::swap(disks.first, disks.second);
   return disks;
 }
@@ -79,7 +78,7 @@ struct Boundary
 {
   std::vector<FixedNode> nodes;
   std::vector<ColumnDirection> columns; // with linking sides only
-  std::vector<LoopPair> shapePairs; // without linking sides only
+  std::vector<LoopPair> shapePairs;     // without linking sides only
   std::vector<double> startFractions;
 };
 
@@ -89,8 +88,8 @@ Boundary placeBoundary(
   Boundary boundary;
   if (input.linking)
   {
-    const LinkingRings rings = traceLinkingRings(input.source.points, loops,
-      input.linking->points, input.linking->quads, input.matchTolerance);
+    const LinkingRings rings = traceLinkingRings(input.source.points, loops, input.linking->points,
+      input.linking->quads, input.matchTolerance);
     for (std::size_t l = 0; l < loops.size(); ++l)
     {
       const Index layers = rings.numberOfLayers();
@@ -111,8 +110,7 @@ Boundary placeBoundary(
   {
     for (std::size_t j = 0; j < loops[l].size(); ++j)
     {
-      boundary.nodes.push_back(
-        { loops[l][j], matched.pairs[l].second.row(static_cast<Index>(j)) });
+      boundary.nodes.push_back({ loops[l][j], matched.pairs[l].second.row(static_cast<Index>(j)) });
     }
   }
   boundary.shapePairs = outerFirst(std::move(matched.pairs));
@@ -170,8 +168,8 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
 {
   const SurfaceProjection surface(target);
   const auto judge = [&] {
-    return quadQuality(result.quads.points, input.source.quads,
-      surface.project(result.quads.points).normals);
+    return quadQuality(
+      result.quads.points, input.source.quads, surface.project(result.quads.points).normals);
   };
   result.quality = judge();
   result.invertedBefore = result.quality.inverted;
@@ -248,12 +246,11 @@ CommonDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   }
   else
   {
-    linked.pairs = outerFirst(
-      matchLoopsByShape(first.points,
-        checkSurface(first.triangles, first.points.rows(), "triangles of the cap").loops,
-        second.points,
-        checkSurface(second.triangles, second.points.rows(), "triangles of the partner").loops)
-        .pairs);
+    linked.pairs = outerFirst(matchLoopsByShape(first.points,
+      checkSurface(first.triangles, first.points.rows(), "triangles of the cap").loops,
+      second.points,
+      checkSurface(second.triangles, second.points.rows(), "triangles of the partner").loops)
+                                .pairs);
   }
   return mapPairs(first, second, linked, weights, matchTolerance, progress);
 }
@@ -289,8 +286,7 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
     {
       const TriangleMesh source = input.sourceSurface
         ? oriented(*input.sourceSurface, "source surface")
-        : TriangleMesh{ input.source.points,
-            halveQuads(input.source.points, input.source.quads) };
+        : TriangleMesh{ input.source.points, halveQuads(input.source.points, input.source.quads) };
       LinkedLoops linked;
       linked.pairs = boundary.shapePairs;
       if (input.linking)

@@ -43,7 +43,7 @@ struct SweepProjectionInput
 struct SweepProjection
 {
   ProjectedQuads quads;
-  QuadQuality quality; ///< of the quads on the target surface
+  QuadQuality quality;      ///< of the quads on the target surface
   Index invertedBefore = 0; ///< quads that the projection itself inverted
   int rounds = 0;           ///< descents of untangling and polishing
   /// The maps that were used; empty for AffineLeastSquares.

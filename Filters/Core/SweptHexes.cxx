@@ -65,8 +65,7 @@ void checkSameQuads(const QuadsRef& source, const QuadsRef& target)
       std::to_string(target.rows()) + " cells instead of " + std::to_string(source.rows()) +
       ". Make them from the source quads (SweepQuadProjector).");
   }
-  const auto sameCycle = [&](Index q, int start, int step)
-  {
+  const auto sameCycle = [&](Index q, int start, int step) {
     for (int c = 0; c < 4; ++c)
     {
       if (source(q, c) != target(q, (start + step * c + 4) % 4))

@@ -30,8 +30,8 @@ Points cornersOf(const PointsRef& points, const TrianglesRef& triangles)
   return corners;
 }
 
-double squaredDistanceToBox(const Eigen::RowVector3d& p, const Eigen::RowVector3d& low,
-  const Eigen::RowVector3d& high)
+double squaredDistanceToBox(
+  const Eigen::RowVector3d& p, const Eigen::RowVector3d& low, const Eigen::RowVector3d& high)
 {
   return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
 }
@@ -135,7 +135,8 @@ void TriangleSearch::build()
       }
       centerBox.extend(centers.row(t).transpose());
     }
-    this->Nodes.push_back({ box.min().transpose(), box.max().transpose(), task.begin, task.end, 0 });
+    this->Nodes.push_back(
+      { box.min().transpose(), box.max().transpose(), task.begin, task.end, 0 });
     if (task.end - task.begin <= LeafSize)
     {
       continue;

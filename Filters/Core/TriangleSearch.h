@@ -43,9 +43,9 @@ private:
   {
     Eigen::RowVector3d low;
     Eigen::RowVector3d high;
-    Index begin;   // first triangle in Order
-    Index end;     // one past the last
-    Index right;   // right child; the left one follows its parent; 0 in a leaf
+    Index begin; // first triangle in Order
+    Index end;   // one past the last
+    Index right; // right child; the left one follows its parent; 0 in a leaf
   };
   void build();
   TrianglePoint onTriangle(const Eigen::RowVector3d& p, Index triangle) const;

@@ -22,8 +22,8 @@ inline hexsweep::SweepBoundary boundaryOf(const Sweep& sweep)
   const auto loops = hexsweep::checkSurface(sweep.quads, sweep.source.rows(), "source quads").loops;
   const auto rings =
     hexsweep::traceLinkingRings(sweep.source, loops, sweep.linkingPoints, sweep.linkingQuads);
-  return hexsweep::gatherSweepBoundary(sweep.source, sweep.target, loops, rings,
-    sweep.linkingPoints);
+  return hexsweep::gatherSweepBoundary(
+    sweep.source, sweep.target, loops, rings, sweep.linkingPoints);
 }
 
 inline Points run(Interior interior, const Sweep& sweep)
@@ -67,8 +67,7 @@ inline void expectAnySizeAnywhere(Interior interior)
 /// A curved cap that is turned and scaled as a whole.
 inline void expectSimilaritySweepOfACurvedCapExact(Interior interior)
 {
-  const Motion motion = [](double x, double y, double t)
-  {
+  const Motion motion = [](double x, double y, double t) {
     // Bulges inside, planar on the outer loop.
     const double bulge = 0.3 * x * (2 - x) * y * (1 - y) * 4;
     const Eigen::Matrix3d turn =
@@ -112,8 +111,7 @@ inline void expectNearlyPlanarLoopsTame(Interior interior)
 {
   for (const double noise : { 1e-9, 1e-5, 1e-3 })
   {
-    const Motion motion = [noise](double x, double y, double t)
-    {
+    const Motion motion = [noise](double x, double y, double t) {
       const double bulge = 0.5 * x * (2 - x) * y * (1 - y) * 4;
       const double shake = noise * std::sin(97 * x + 83 * y + 71 * t);
       return Eigen::RowVector3d(x, y, bulge + shake + 2 * t);
@@ -138,8 +136,8 @@ inline void expectUnusedPointsOnStraightLines(Interior interior)
     const double t = boundary.fractions[static_cast<std::size_t>(k)];
     const Eigen::RowVector3d expected(10 + 4 * t, 20, 30 + 4 * t);
     EXPECT_LT((swept.row(k * (n + 1) + n) - expected).norm(), 1e-12);
-    EXPECT_LT(greatestDistance(swept.middleRows(k * (n + 1), n), sweep.layers.middleRows(k * n, n)),
-      1e-11);
+    EXPECT_LT(
+      greatestDistance(swept.middleRows(k * (n + 1), n), sweep.layers.middleRows(k * n, n)), 1e-11);
   }
 }
 }

@@ -46,8 +46,7 @@ inline void makeCap(int nx, int ny, bool hole, hexsweep::PlanePoints& points, Qu
 {
   std::map<std::pair<int, int>, Index> ids;
   std::vector<double> coordinates;
-  const auto idOf = [&](int i, int j)
-  {
+  const auto idOf = [&](int i, int j) {
     const auto known = ids.emplace(std::make_pair(i, j), static_cast<Index>(ids.size()));
     if (known.second)
     {
@@ -76,14 +75,14 @@ inline void makeCap(int nx, int ny, bool hole, hexsweep::PlanePoints& points, Qu
       }
     }
   }
-  points = Eigen::Map<const hexsweep::PlanePoints>(coordinates.data(),
-    static_cast<Index>(coordinates.size()) / 2, 2);
+  points = Eigen::Map<const hexsweep::PlanePoints>(
+    coordinates.data(), static_cast<Index>(coordinates.size()) / 2, 2);
   quads = Eigen::Map<const Quads>(corners.data(), static_cast<Index>(corners.size()) / 4, 4);
 }
 
 /// @param positions t of each layer, from 0 to 1.
-inline Sweep makeSweep(int nx, int ny, bool hole, const std::vector<double>& positions,
-  const Motion& motion)
+inline Sweep makeSweep(
+  int nx, int ny, bool hole, const std::vector<double>& positions, const Motion& motion)
 {
   Sweep sweep;
   makeCap(nx, ny, hole, sweep.cap, sweep.quads);

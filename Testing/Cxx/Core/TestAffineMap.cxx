@@ -36,8 +36,8 @@ Points transformed(const Points& points, const Matrix3d& linear, const RowVector
 
 AffineMap fit(const Points& source, const Points& target)
 {
-  return hexsweep::fitAffineMap(source, target, hexsweep::areaVector(source),
-    hexsweep::areaVector(target));
+  return hexsweep::fitAffineMap(
+    source, target, hexsweep::areaVector(source), hexsweep::areaVector(target));
 }
 
 Matrix3d rotation(double angle, const Eigen::Vector3d& axis)

@@ -69,8 +69,8 @@ TEST(BlendInterior, CorrectionIsTheHarmonicExtensionOfTheBoundaryError)
   const Points expected = sweep.layers + prism.extend(shift);
   // The ring's wave tilts the normals' length a little: sqrt(area ratio) does not enter a planar
   // cap.
-  EXPECT_LT(test::greatestDistance(blendInterior(sweep.source, sweep.target, sweep.quads, boundary),
-              expected),
+  EXPECT_LT(test::greatestDistance(
+              blendInterior(sweep.source, sweep.target, sweep.quads, boundary), expected),
     1e-12);
 }
 
@@ -90,8 +90,7 @@ TEST(BlendInterior, MirroredInputGivesTheMirroredMesh)
 TEST(BlendInterior, SweptBackwardsItIsTheSameForCongruentCaps)
 {
   // Source and target change roles: same blend, and the same prism when the caps are congruent.
-  const auto arc = [](double x, double y, double t)
-  {
+  const auto arc = [](double x, double y, double t) {
     const double angle = 2.5 * t;
     const double radius = 3 + x + 0.2 * std::sin(3 * y) * std::sin(std::acos(-1.0) * t);
     return Eigen::RowVector3d(radius * std::cos(angle), radius * std::sin(angle), y);
@@ -113,8 +112,7 @@ TEST(BlendInterior, SweptBackwardsItIsTheSameForCongruentCaps)
 TEST(BlendInterior, BendingSweepIsValid)
 {
   const Sweep sweep = test::makeSweep(12, 9, true, test::evenLayers(6), test::bendingMotion);
-  const auto judge = [&sweep](const Points& points)
-  {
+  const auto judge = [&sweep](const Points& points) {
     return hexsweep::summarize(
       hexsweep::hexQualities(points, hexsweep::sweptHexes(sweep.quads, points, 6)));
   };

@@ -93,6 +93,5 @@ TEST(FoldoverFreeEnergy, RegularisationFallsToNothingOnceAllIsUpright)
   EXPECT_GT(next, 0.0);
   EXPECT_LT(next, 1.0);
   // equation (6): chi of the worst element falls by just the rate
-  EXPECT_NEAR(
-    hexsweep::regularized(-0.2, next), 0.7 * hexsweep::regularized(-0.2, 1.0), 1e-12);
+  EXPECT_NEAR(hexsweep::regularized(-0.2, next), 0.7 * hexsweep::regularized(-0.2, 1.0), 1e-12);
 }

@@ -23,8 +23,8 @@ std::vector<hexsweep::Loop> loopsOf(const Sweep& sweep)
 
 LinkingRings trace(const Sweep& sweep)
 {
-  return hexsweep::traceLinkingRings(sweep.source, loopsOf(sweep), sweep.linkingPoints,
-    sweep.linkingQuads);
+  return hexsweep::traceLinkingRings(
+    sweep.source, loopsOf(sweep), sweep.linkingPoints, sweep.linkingQuads);
 }
 
 /// Greatest distance of a ring node from where its column is at that layer.
@@ -158,11 +158,11 @@ TEST(LinkingRings, ToleranceIsRelativeToTheLocalEdge)
   const Eigen::RowVector3d step(1e-4, 0, 0);
   sweep.source.rowwise() += step;
   EXPECT_NE(errorOf(sweep), "");
-  const LinkingRings rings = hexsweep::traceLinkingRings(sweep.source, loopsOf(sweep),
-    sweep.linkingPoints, sweep.linkingQuads, 1e-2);
+  const LinkingRings rings = hexsweep::traceLinkingRings(
+    sweep.source, loopsOf(sweep), sweep.linkingPoints, sweep.linkingQuads, 1e-2);
   EXPECT_NEAR(rings.maximumMatchDistance, 1e-4, 1e-12);
-  EXPECT_THROW(hexsweep::traceLinkingRings(sweep.source, loopsOf(sweep), sweep.linkingPoints,
-                 sweep.linkingQuads, -1.0),
+  EXPECT_THROW(hexsweep::traceLinkingRings(
+                 sweep.source, loopsOf(sweep), sweep.linkingPoints, sweep.linkingQuads, -1.0),
     hexsweep::InvalidInput);
 }
 

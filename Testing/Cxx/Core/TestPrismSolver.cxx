@@ -160,8 +160,8 @@ TEST(PrismSolver, EqualsTheAssembledTrilinearSolve)
         {
           clearCaps(values, fixed, n);
         }
-        const PrismSolver prism(hexsweep::quadLaplacian(sweep.source, sweep.quads), layers, height,
-          fixed);
+        const PrismSolver prism(
+          hexsweep::quadLaplacian(sweep.source, sweep.quads), layers, height, fixed);
         const Points expected =
           solveInThreeDimensions(sweep.source, sweep.quads, layers, height, fixed, values);
         EXPECT_LT(test::greatestDistance(prism.extend(values), expected), 1e-12)
@@ -206,8 +206,8 @@ TEST(PrismSolver, ReproducesLinearFunctions)
         }
       }
     }
-    const PrismSolver prism(hexsweep::quadLaplacian(size * sweep.source, sweep.quads), layers,
-      size * 0.3, fixed);
+    const PrismSolver prism(
+      hexsweep::quadLaplacian(size * sweep.source, sweep.quads), layers, size * 0.3, fixed);
     EXPECT_LT(test::greatestDistance(prism.extend(given), values), 1e-11) << size;
   }
 }
@@ -234,9 +234,9 @@ TEST(PrismSolver, GivenRowsAreReturnedBitForBit)
 TEST(PrismSolver, SolutionStaysBetweenItsBoundaryValues)
 {
   // The maximum principle on a mesh of squares, where the stiffness matrix is of the right sign.
-  const Sweep sweep = test::makeSweep(8, 4, false, { 0, 1 },
-    [](double x, double y, double t)
-    { return Eigen::RowVector3d(std::round(4 * x) / 4, std::round(4 * y) / 4, t); });
+  const Sweep sweep = test::makeSweep(8, 4, false, { 0, 1 }, [](double x, double y, double t) {
+    return Eigen::RowVector3d(std::round(4 * x) / 4, std::round(4 * y) / 4, t);
+  });
   const auto fixed = boundaryOf(sweep);
   const Index n = sweep.source.rows();
   const Points values = randomValues(7 * n);
@@ -248,8 +248,8 @@ TEST(PrismSolver, OneLayerHasNothingToSolve)
 {
   const Sweep sweep = flatCap(4, 3, false);
   const Points values = randomValues(2 * sweep.source.rows());
-  const PrismSolver prism(hexsweep::quadLaplacian(sweep.source, sweep.quads), 1, 1.0,
-    boundaryOf(sweep));
+  const PrismSolver prism(
+    hexsweep::quadLaplacian(sweep.source, sweep.quads), 1, 1.0, boundaryOf(sweep));
   EXPECT_EQ(prism.extend(values), values);
 }
 

@@ -14,13 +14,11 @@ using test::Sweep;
 /// An irregular planar mesh of area 2 in a tilted plane.
 Sweep tiltedCap()
 {
-  return test::makeSweep(8, 6, false, { 0, 1 },
-    [](double x, double y, double t)
-    {
-      const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-      return Eigen::RowVector3d((turn * Eigen::Vector3d(x, y, t)).transpose());
-    });
+  return test::makeSweep(8, 6, false, { 0, 1 }, [](double x, double y, double t) {
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    return Eigen::RowVector3d((turn * Eigen::Vector3d(x, y, t)).transpose());
+  });
 }
 
 Points bulged(const Sweep& sweep)
@@ -74,9 +72,8 @@ TEST(QuadLaplacian, MassOfASphericalPatchConvergesToItsArea)
   double before = 0.0;
   for (const int n : { 10, 20, 40 })
   {
-    const Sweep sweep = test::makeSweep(2 * n, n, false, { 0, 1 },
-      [](double x, double y, double t)
-      {
+    const Sweep sweep =
+      test::makeSweep(2 * n, n, false, { 0, 1 }, [](double x, double y, double t) {
         const double polar = 0.5 + y;
         return Eigen::RowVector3d((1 + t) * std::sin(polar) * std::cos(x),
           (1 + t) * std::sin(polar) * std::sin(x), (1 + t) * std::cos(polar));

@@ -147,8 +147,8 @@ TEST(QuadUntangling, GivesTheSameBitsTwice)
 TEST(QuadUntangling, StopsWhenAsked)
 {
   const CapModel cap = model(12, {}, 1.5, flat(), 12);
-  EXPECT_THROW(untangleQuads(cap.corners(), cap.quads.points, cap.upright,
-                 [](double) { return false; }),
+  EXPECT_THROW(
+    untangleQuads(cap.corners(), cap.quads.points, cap.upright, [](double) { return false; }),
     Aborted);
 }
 
@@ -191,9 +191,10 @@ TEST(QuadPolishing, DoesNotCollapseEdges)
   {
     for (Index c = 0; c < 4; ++c)
     {
-      shortest = std::min(shortest, (result.points.row(cap.quads.quads(q, (c + 1) % 4)) -
-                                      result.points.row(cap.quads.quads(q, c)))
-                                      .norm());
+      shortest = std::min(shortest,
+        (result.points.row(cap.quads.quads(q, (c + 1) % 4)) -
+          result.points.row(cap.quads.quads(q, c)))
+          .norm());
     }
   }
   EXPECT_GT(shortest, 0.3 / 12);

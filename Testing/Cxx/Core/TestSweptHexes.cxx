@@ -60,8 +60,8 @@ TEST(SweptHexes, OneBadLayerDoesNotTurnTheMesh)
   // The first layer is folded back.
   const Sweep sweep = test::makeSweep(9, 6, false, { 0, -0.1, 0.3, 0.6, 1 }, test::affineMotion);
   const Hexes hexes = hexsweep::sweptHexes(sweep.quads, sweep.layers, 4);
-  EXPECT_EQ(hexsweep::summarize(hexsweep::hexQualities(sweep.layers, hexes)).inverted,
-    sweep.quads.rows());
+  EXPECT_EQ(
+    hexsweep::summarize(hexsweep::hexQualities(sweep.layers, hexes)).inverted, sweep.quads.rows());
 }
 
 TEST(SameQuads, AnyStartAndDirectionIsTheSameQuad)
@@ -79,6 +79,6 @@ TEST(SameQuads, AnyStartAndDirectionIsTheSameQuad)
 
   std::swap(other(5, 0), other(5, 1));
   EXPECT_THROW(hexsweep::checkSameQuads(sweep.quads, other), hexsweep::InvalidInput);
-  EXPECT_THROW(hexsweep::checkSameQuads(sweep.quads, sweep.quads.topRows(3)),
-    hexsweep::InvalidInput);
+  EXPECT_THROW(
+    hexsweep::checkSameQuads(sweep.quads, sweep.quads.topRows(3)), hexsweep::InvalidInput);
 }

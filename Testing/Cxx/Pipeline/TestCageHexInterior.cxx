@@ -203,8 +203,9 @@ TEST(CageHexInterior, ReportSaysWhatRan)
   }
   EXPECT_NEAR(input.report("MeanScaledJacobian"),
     sum / static_cast<double>(quality->GetNumberOfTuples()), 1e-12);
-  const auto text = [&](const char* name)
-  { return vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(name)); };
+  const auto text = [&](const char* name) {
+    return vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(name));
+  };
   ASSERT_TRUE(text("SweepReportMethod") && text("SweepReportStages"));
   EXPECT_EQ(text("SweepReportMethod")->GetValue(0), "Blend");
   EXPECT_EQ(text("SweepReportStages")->GetNumberOfValues(),
@@ -390,8 +391,8 @@ TEST(CageHexInterior, SinglePrecisionOnDemand)
   for (vtkIdType h = 0; h < output->GetNumberOfCells(); ++h)
   {
     // Judged as stored.
-    ASSERT_NEAR(quality->GetTuple1(h), vtkMeshQuality::HexScaledJacobian(output->GetCell(h)),
-      1e-12);
+    ASSERT_NEAR(
+      quality->GetTuple1(h), vtkMeshQuality::HexScaledJacobian(output->GetCell(h)), 1e-12);
   }
 }
 

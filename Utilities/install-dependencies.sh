@@ -13,6 +13,8 @@ packages=(
   paraview-dev python3-paraview python3-dev
   libdouble-conversion-dev libglew-dev libx11-dev
   qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5
+  # what the rendering and image modules of that VTK name as their targets
+  libfreetype-dev libpng-dev libjpeg-dev libtiff-dev liblz4-dev liblzma-dev libutfcpp-dev
   # the numerics and their tests
   libeigen3-dev libopenmesh-dev libgtest-dev
   # a display without a screen, and mpirun for the parallel test

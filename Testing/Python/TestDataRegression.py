@@ -31,7 +31,9 @@ OUTPUT = os.path.join(OUTPUT_DIR, "TestDataRegression.vtu")
 
 def main():
     sweep = chain.sweep_harmonic(read_case("taper10"), quiet, raw=True)
-    simple.SaveData(OUTPUT, proxy=sweep.hexes, CompressorType="ZLib", CompressionLevel="9")
+    simple.SaveData(
+        OUTPUT, proxy=sweep.hexes, DataMode="Binary", CompressorType="ZLib", CompressionLevel="9"
+    )
     print("this run's mesh:", OUTPUT)
     baseline = simple.XMLUnstructuredGridReader(FileName=[BASELINE])
     expected, found = chain.fetch(baseline), chain.fetch(sweep.hexes)

@@ -71,7 +71,8 @@ def sweep_model(folder, output):
     }
 
     start = time.perf_counter()
-    simple.SaveData(stem + ".vtu", proxy=harmonic.hexes)
+    # Debian's expat 2.5.0-1+deb12u2 cannot read the raw appended data that are the default.
+    simple.SaveData(stem + ".vtu", proxy=harmonic.hexes, DataMode="Binary")
     histogram.draw_histogram(
         case.name, [("affine", sj["affine"]), ("HexSweep", sj["ours"])], stem + "_histogram.png"
     )

@@ -240,10 +240,23 @@ bool isEmptyPiece(vtkInformationVector* outputs, vtkDataSet* data, const std::st
   if (data->GetNumberOfCells() > 0)
   {
     throw InvalidInput("the " + what +
-      " are distributed over several ranks. Gather them on one (in ParaView: Redistribute or a "
-      "serial reader) before sweeping.");
+      ": distributed over several ranks, but a cap is swept as a whole. Gather it on the first "
+      "rank "
+      "(a serial reader leaves it there) before sweeping.");
   }
   return true;
+}
+
+bool isIdleRank(vtkInformationVector* outputs, vtkInformationVector** inputs,
+  const std::vector<std::string>& portNames)
+{
+  bool empty = false;
+  for (std::size_t port = 0; port < portNames.size(); ++port)
+  {
+    vtkDataSet* data = inputDataSet(inputs, static_cast<int>(port));
+    empty = isEmptyPiece(outputs, data, portNames[port]) || empty;
+  }
+  return empty;
 }
 
 std::optional<QuadMesh> readOptionalQuads(vtkDataSet* data, const std::string& what)

@@ -53,6 +53,10 @@ vtkDataSet* inputDataSet(vtkInformationVector** inputs, int port);
  */
 bool isEmptyPiece(vtkInformationVector* outputs, vtkDataSet* data, const std::string& what);
 
+/// isEmptyPiece() over all connected ports, from port 0 on. @throw InvalidInput as it does.
+bool isIdleRank(vtkInformationVector* outputs, vtkInformationVector** inputs,
+  const std::vector<std::string>& portNames);
+
 /**
  * Reads triangles; triangle strips, quads and polygons are triangulated.
  *
@@ -78,7 +82,7 @@ vtkPoints* newPoints(const PointsRef& points, int precision);
 /// Fills the grid with one kind of cell (VTK_TRIANGLE, VTK_QUAD or VTK_HEXAHEDRON).
 void setCells(vtkUnstructuredGrid* grid, const FacesRef& cells, int cellType);
 
-/// Field-data entries of the report (DESIGN: SweepReport*).
+/// Field-data entries of the report (SweepReport*).
 void addReport(vtkFieldData* fieldData, const char* name, double value);
 void addReport(vtkFieldData* fieldData, const char* name, Index value);
 void addReport(vtkFieldData* fieldData, const char* name, const std::string& value);

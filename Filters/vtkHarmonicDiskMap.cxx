@@ -38,9 +38,14 @@ int vtkHarmonicDiskMap::RequestData(
   using namespace hexsweep;
   return runFilter(this, outputs, [&] {
     vtkDataSet* input = inputDataSet(inputs, 0);
-    if (isEmptyPiece(outputs, input, "input surface"))
+    if (isIdleRank(outputs, inputs, { "input surface", "partner surface", "linking sides" }))
     {
       return;
+    }
+    if (this->HoleTreatment != ARC_LENGTH && this->HoleTreatment != FILLED)
+    {
+      throw InvalidInput("HoleTreatment " + std::to_string(this->HoleTreatment) +
+        " does not exist. Choose ArcLength (1) or Filled (2).");
     }
     const SurfaceInput surface = readTriangles(input, "input surface");
     const hexsweep::Weights weights =

@@ -65,8 +65,9 @@ public:
   ///@}
 
   ///@{
-  /// ARC_LENGTH by default. Without a partner only.
-  vtkSetClampMacro(HoleTreatment, int, ARC_LENGTH, FILLED);
+  /// ARC_LENGTH by default. Without a partner only. Any number that is not named above is an error
+  /// when the filter runs.
+  vtkSetMacro(HoleTreatment, int);
   vtkGetMacro(HoleTreatment, int);
   void SetHoleTreatmentToArcLength() { this->SetHoleTreatment(ARC_LENGTH); }
   void SetHoleTreatmentToFilled() { this->SetHoleTreatment(FILLED); }

@@ -64,6 +64,8 @@ void writeReport(const SweepProjection& projection, ProjectionMethod method, vtk
   {
     addReport(field, "SweepReportFlipsBefore",
       projection.source->flipsBefore + projection.target->flipsBefore);
+    addReport(
+      field, "SweepReportMaximumBoundaryDistance", projection.target->maximumBoundaryDistance);
     addReport(field, "SweepReportFlipsAfter",
       static_cast<Index>(projection.source->flipped.size() + projection.target->flipped.size()));
   }
@@ -127,9 +129,15 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   vtkDataSet* source = inputDataSet(inputs, 0);
   vtkDataSet* target = inputDataSet(inputs, 1);
   vtkDataSet* sourceSurface = inputDataSet(inputs, 3);
-  if (isEmptyPiece(outputs, source, "source quads"))
+  if (isIdleRank(
+        outputs, inputs, { "source quads", "target surface", "linking sides", "source surface" }))
   {
     return;
+  }
+  if (this->Method != HARMONIC && this->Method != AFFINE_LEAST_SQUARES)
+  {
+    throw InvalidInput("Method " + std::to_string(this->Method) +
+      " does not exist. Choose Harmonic (0) or AffineLeastSquares (2).");
   }
   const SurfaceInput quads = readQuads(source, "source quads");
   const SurfaceInput triangles = readTriangles(target, "target surface");
@@ -142,6 +150,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   input.method =
     this->Method == HARMONIC ? ProjectionMethod::Harmonic : ProjectionMethod::AffineLeastSquares;
   input.matchTolerance = this->MatchTolerance;
+  input.singlePrecision = this->OutputPointsPrecision == SINGLE_PRECISION;
   input.ensureValid = this->EnsureValid;
   input.improveQuality = this->ImproveQuality;
   if (sourceSurface)
@@ -151,6 +160,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   }
   else
   {
+    sourceTriangles.ignoredCells = quads.ignoredCells;
     sourceTriangles.cellIds.reserve(quads.cellIds.size() * 2);
     for (const Index id : quads.cellIds)
     {
@@ -174,6 +184,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   writeQuads(projection, quads, source, this->OutputPointsPrecision, output);
   output->GetFieldData()->PassData(source->GetFieldData());
   writeReport(projection, input.method, output->GetFieldData());
+  addReport(output->GetFieldData(), "SweepReportIgnoredCells", quads.ignoredCells);
   if (projection.source)
   {
     writeCapDisk(*projection.source, sourceTriangles, sourceSurface ? sourceSurface : source,

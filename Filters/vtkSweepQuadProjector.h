@@ -23,6 +23,8 @@
  *   `SweepReportInvertedBefore` (as projected, before EnsureValid), `SweepReportRounds` (descents),
  *   `SweepReportMinScaledJacobian`, `SweepReportMeanScaledJacobian`,
  *   `SweepReportMaximumSourceDistance` (of interior nodes from the source surface),
+ *   `SweepReportMaximumBoundaryDistance` (of the last ring from the boundary of the target surface;
+ *   up to a quarter of an edge is taken for the height of a chord), `SweepReportIgnoredCells`,
  *   `SweepReportOutside` (nodes that lay in no triangle of the target's disk map),
  *   `SweepReportFlipsBefore`, `SweepReportFlipsAfter` (both caps).
  * - 1, 2 source and target cap in their disk, as vtkHarmonicDiskMap gives them; empty for
@@ -58,8 +60,8 @@ public:
   };
 
   ///@{
-  /// HARMONIC by default.
-  vtkSetClampMacro(Method, int, HARMONIC, AFFINE_LEAST_SQUARES);
+  /// HARMONIC by default. Any number that is not named above is an error when the filter runs.
+  vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   void SetMethodToHarmonic() { this->SetMethod(HARMONIC); }
   void SetMethodToAffineLeastSquares() { this->SetMethod(AFFINE_LEAST_SQUARES); }

@@ -229,6 +229,9 @@ SurfaceTopology checkSurface(const FacesRef& faces, Index numberOfPoints, const 
       failAtEdge(sides[first], what, "more than two faces meet",
         "A cap must be a manifold: remove inner or duplicate faces.");
     }
+  });
+  // Only now: a face that is there twice disagrees with itself, which is not what is wrong.
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first == 2 && sides[first].forward == sides[first + 1].forward)
     {
       failAtEdge(sides[first], what, "neighbouring faces have opposite orientation",

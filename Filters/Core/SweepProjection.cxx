@@ -168,6 +168,10 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
 {
   const SurfaceProjection surface(target);
   const auto judge = [&] {
+    if (input.singlePrecision)
+    {
+      result.quads.points = result.quads.points.cast<float>().cast<double>().eval();
+    }
     return quadQuality(
       result.quads.points, input.source.quads, surface.project(result.quads.points).normals);
   };

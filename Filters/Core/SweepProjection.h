@@ -36,8 +36,9 @@ struct SweepProjectionInput
   ProjectionMethod method = ProjectionMethod::Harmonic;
   Weights weights = Weights::Cotangent;
   double matchTolerance = 1e-6;
-  bool ensureValid = false;    ///< untangle what is inverted, see untangleQuads()
-  bool improveQuality = false; ///< see polishQuads()
+  bool singlePrecision = false; ///< round the points to float before they are judged
+  bool ensureValid = false;     ///< untangle what is inverted, see untangleQuads()
+  bool improveQuality = false;  ///< see polishQuads()
 };
 
 struct SweepProjection

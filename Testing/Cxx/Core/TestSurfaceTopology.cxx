@@ -299,3 +299,12 @@ TEST(SurfaceTopology, NeighborsShareTheEdge)
     }
   }
 }
+
+TEST(SurfaceTopology, AFaceThatIsThereTwiceIsNamedAsSuch)
+{
+  const hexsweep::QuadMesh mesh = test::quadPlate(3, {});
+  hexsweep::Quads twice(mesh.quads.rows() + 1, 4);
+  twice << mesh.quads, mesh.quads.row(0);
+  test::expectInvalid(
+    [&] { hexsweep::checkSurface(twice, mesh.points.rows(), "quads"); }, "duplicate faces");
+}

@@ -486,6 +486,61 @@ TEST(SweepQuadProjector, SinglePrecisionFilesWork)
   }
 }
 
+TEST(SweepQuadProjector, VerdictsAreAboutTheCoordinatesAsStored)
+{
+  // Far from the origin single precision spoils the quads: the plane target lets Verdict judge.
+  const SweepGrids sweep = test::readCase("taper10");
+  const auto moved = [](vtkUnstructuredGrid* grid) {
+    auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    result->DeepCopy(grid);
+    for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      result->GetPoint(i, p);
+      result->GetPoints()->SetPoint(i, p[0] + 1e5, p[1], p[2]);
+    }
+    return result;
+  };
+  Projection projection({ moved(sweep.sourceQuads), moved(sweep.sourceSurface),
+    moved(sweep.targetSurface), moved(sweep.linkingSides) });
+  projection.filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  vtkUnstructuredGrid* output = projection.run();
+  ASSERT_GT(output->GetNumberOfCells(), 0);
+  vtkDataArray* jacobian = output->GetCellData()->GetArray("ScaledJacobian");
+  for (vtkIdType q = 0; q < output->GetNumberOfCells(); ++q)
+  {
+    EXPECT_NEAR(
+      jacobian->GetTuple1(q), vtkMeshQuality::QuadScaledJacobian(output->GetCell(q)), 1e-6)
+      << "quad " << q;
+  }
+}
+
+TEST(SweepQuadProjector, AMethodThatDoesNotExistIsAnError)
+{
+  Projection projection(test::readCase("ubend"));
+  projection.filter->SetMethod(1);
+  expectOneError(projection.filter, "Method 1 does not exist");
+}
+
+TEST(SweepQuadProjector, PiecesOfOtherRanks)
+{
+  auto nothing = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  Projection idle({ nothing, nothing, nothing, nothing });
+  test::Events silent(idle.filter);
+  idle.filter->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(silent.errors.size() + silent.warnings.size(), 0u);
+  EXPECT_TRUE(test::isEmpty(idle.filter));
+
+  SweepGrids split = test::readCase("ubend");
+  split.sourceQuads = nothing;
+  Projection part(split);
+  test::Events events(part.filter);
+  part.filter->UpdatePiece(1, 2, 0);
+  ASSERT_EQ(events.errors.size(), 1u);
+  EXPECT_NE(events.errors[0].find("target surface"), std::string::npos) << events.errors[0];
+  EXPECT_NE(events.errors[0].find("several ranks"), std::string::npos) << events.errors[0];
+}
+
 TEST(SweepQuadProjector, UnusedPointsKeepTheirNumber)
 {
   const SweepGrids sweep = test::readCase("ubend");

@@ -241,8 +241,7 @@ bool isEmptyPiece(vtkInformationVector* outputs, vtkDataSet* data, const std::st
   {
     throw InvalidInput("the " + what +
       ": distributed over several ranks, but a cap is swept as a whole. Gather it on the first "
-      "rank "
-      "(a serial reader leaves it there) before sweeping.");
+      "rank (a serial reader leaves it there) before sweeping.");
   }
   return true;
 }

@@ -8,19 +8,6 @@
 
 namespace hexsweep
 {
-namespace
-{
-double loopLength(const PointsRef& points, const Loop& loop)
-{
-  double length = 0.0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    length += (points.row(loop[(i + 1) % loop.size()]) - points.row(loop[i])).norm();
-  }
-  return length;
-}
-}
-
 CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights)
 {
   checkCap(checkSurface(mesh.triangles, mesh.points.rows(), "triangles of the cap"),
@@ -34,8 +21,10 @@ CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weig
   cap.loops =
     checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), "triangles of the cap").loops;
   const Points& points = cap.mesh.points;
-  const auto outer = std::max_element(cap.loops.begin(), cap.loops.end(),
-    [&](const Loop& a, const Loop& b) { return loopLength(points, a) < loopLength(points, b); });
+  const auto outer =
+    std::max_element(cap.loops.begin(), cap.loops.end(), [&](const Loop& a, const Loop& b) {
+      return closedLength(loopPoints(points, a)) < closedLength(loopPoints(points, b));
+    });
   std::rotate(cap.loops.begin(), outer, outer + 1);
 
   std::vector<PlanePoints> places{ circlePoints(

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hexsweep
 {
@@ -91,16 +92,6 @@ double meanDistance(const BoundarySearch& boundary, const Points& ring)
     sum += boundary.closest(ring.row(i)).distance;
   }
   return sum / static_cast<double>(ring.rows());
-}
-
-double length(const Points& ring)
-{
-  double sum = 0.0;
-  for (Index i = 0; i < ring.rows(); ++i)
-  {
-    sum += (ring.row((i + 1) % ring.rows()) - ring.row(i)).norm();
-  }
-  return sum;
 }
 
 /// Which loop of a cap a ring lies on and whether it runs the other way.
@@ -281,6 +272,17 @@ double farthest(const std::vector<RingOnCap>& found)
 }
 }
 
+std::vector<LoopPair> outerFirst(std::vector<LoopPair> pairs)
+{
+  const auto length = [](const LoopPair& pair) {
+    return closedLength(pair.first) + closedLength(pair.second);
+  };
+  const auto outer = std::max_element(pairs.begin(), pairs.end(),
+    [&](const LoopPair& a, const LoopPair& b) { return length(a) < length(b); });
+  std::rotate(pairs.begin(), outer, outer + 1);
+  return pairs;
+}
+
 LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstLoops,
   const PointsRef& secondCap, const std::vector<Loop>& secondLoops, const PointsRef& linkingPoints,
   const QuadsRef& linkingQuads, double matchTolerance)
@@ -320,11 +322,7 @@ LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstL
     linked.pairs.push_back({ ringPoints(rings, linkingPoints, l, 0),
       ringPoints(rings, linkingPoints, l, rings.numberOfLayers()) });
   }
-  const auto longest = std::max_element(
-    linked.pairs.begin(), linked.pairs.end(), [](const LoopPair& a, const LoopPair& b) {
-      return length(a.first) + length(a.second) < length(b.first) + length(b.second);
-    });
-  std::rotate(linked.pairs.begin(), longest, longest + 1);
+  linked.pairs = outerFirst(std::move(linked.pairs));
   return linked;
 }
 

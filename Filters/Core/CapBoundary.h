@@ -18,6 +18,9 @@ struct LoopPair
   Points second; ///< n x 3
 };
 
+/// The pairs with the longest one, over both caps, moved to the front; the others keep their order.
+std::vector<LoopPair> outerFirst(std::vector<LoopPair> pairs);
+
 /// The loops of two caps in pairs, the longest (outer) one first.
 struct LinkedLoops
 {

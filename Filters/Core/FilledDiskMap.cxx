@@ -63,6 +63,16 @@ Points loopPoints(const PointsRef& points, const Loop& loop)
   return result;
 }
 
+double closedLength(const PointsRef& polygon)
+{
+  double length = 0.0;
+  for (Index i = 0; i < polygon.rows(); ++i)
+  {
+    length += (polygon.row((i + 1) % polygon.rows()) - polygon.row(i)).norm();
+  }
+  return length;
+}
+
 std::vector<double> arcLengthAngles(const PointsRef& polygon)
 {
   const Index n = polygon.rows();

@@ -45,6 +45,9 @@ std::vector<double> arcLengthAngles(const PointsRef& polygon);
 /// Points at these angles on a circle.
 PlanePoints circlePoints(const Circle& circle, const std::vector<double>& angles);
 
+/// Length of a closed polygon, the edge from its last node to the first one included.
+double closedLength(const PointsRef& polygon);
+
 /// Rows of points at the nodes of a loop.
 Points loopPoints(const PointsRef& points, const Loop& loop);
 }

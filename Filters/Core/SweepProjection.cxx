@@ -32,26 +32,6 @@ Progress part(const Progress& progress, double from, double to)
   return [=](double fraction) { return !progress || progress(from + (to - from) * fraction); };
 }
 
-/// Turns a shape match into pairs, the outer one first.
-std::vector<LoopPair> outerFirst(std::vector<LoopPair> pairs)
-{
-  const auto length = [](const LoopPair& pair) {
-    double sum = 0.0;
-    for (const Points* ring : { &pair.first, &pair.second })
-    {
-      for (Index i = 0; i < ring->rows(); ++i)
-      {
-        sum += (ring->row((i + 1) % ring->rows()) - ring->row(i)).norm();
-      }
-    }
-    return sum;
-  };
-  const auto outer = std::max_element(pairs.begin(), pairs.end(),
-    [&](const LoopPair& a, const LoopPair& b) { return length(a) < length(b); });
-  std::rotate(pairs.begin(), outer, outer + 1);
-  return pairs;
-}
-
 CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
   const LinkedLoops& linked, Weights weights, double matchTolerance, const Progress& progress)
 {
@@ -209,14 +189,7 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
 
 Loop outerLoop(const QuadMesh& mesh, const std::vector<Loop>& loops)
 {
-  const auto length = [&](const Loop& loop) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      sum += (mesh.points.row(loop[(i + 1) % loop.size()]) - mesh.points.row(loop[i])).norm();
-    }
-    return sum;
-  };
+  const auto length = [&](const Loop& loop) { return closedLength(loopPoints(mesh.points, loop)); };
   return *std::max_element(loops.begin(), loops.end(),
     [&](const Loop& a, const Loop& b) { return length(a) < length(b); });
 }

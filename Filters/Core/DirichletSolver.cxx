@@ -2,9 +2,10 @@
 #include "DirichletSolver.h"
 
 #include "Errors.h"
+#include "MultifrontalSolver.h"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
+#include <algorithm>
+#include <optional>
 
 namespace hexsweep
 {
@@ -12,15 +13,7 @@ struct DirichletSolver::Factor
 {
   std::vector<Index> FreeVertices;
   SparseMatrix FreeToFixed; // rows of the free vertices, all columns, free columns zero
-  Eigen::SimplicialLDLT<SparseMatrix> Cholesky;
-  Eigen::SparseLU<SparseMatrix> LU;
-  bool Symmetric = true;
-
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const
-  {
-    return this->Symmetric ? Eigen::MatrixXd(this->Cholesky.solve(b))
-                           : Eigen::MatrixXd(this->LU.solve(b));
-  }
+  std::optional<MultifrontalSolver> Solver;
 };
 
 namespace
@@ -28,8 +21,8 @@ namespace
 bool isSymmetric(const SparseMatrix& matrix)
 {
   const SparseMatrix transposed = matrix.transpose();
-  // The two halves of a symmetric matrix are summed in different orders: allow for rounding.
-  return (matrix - transposed).norm() <= 1e-12 * matrix.norm();
+  return std::equal(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(), transposed.valuePtr(),
+    transposed.valuePtr() + transposed.nonZeros());
 }
 }
 
@@ -49,50 +42,36 @@ DirichletSolver::DirichletSolver(const SparseMatrix& laplacian, const std::vecto
     }
   }
 
-  std::vector<Eigen::Triplet<double, int>> inner;
-  std::vector<Eigen::Triplet<double, int>> outer;
-  for (Index column = 0; column < laplacian.outerSize(); ++column)
+  const Index m = static_cast<Index>(factor.FreeVertices.size());
+  SparseMatrix matrix(m, m);
+  matrix.reserve(laplacian.nonZeros());
+  factor.FreeToFixed.resize(m, n);
+  for (Index column = 0; column < n; ++column)
   {
+    const int freeColumn = freeIndex[static_cast<std::size_t>(column)];
+    SparseMatrix& target = freeColumn >= 0 ? matrix : factor.FreeToFixed;
+    const Index targetColumn = freeColumn >= 0 ? freeColumn : column;
+    factor.FreeToFixed.startVec(column);
+    if (freeColumn >= 0)
+    {
+      matrix.startVec(freeColumn);
+    }
     for (SparseMatrix::InnerIterator it(laplacian, column); it; ++it)
     {
       const int row = freeIndex[static_cast<std::size_t>(it.row())];
-      const int freeColumn = freeIndex[static_cast<std::size_t>(column)];
-      if (row >= 0 && freeColumn >= 0)
+      if (row >= 0)
       {
-        inner.emplace_back(row, freeColumn, it.value());
-      }
-      else if (row >= 0)
-      {
-        outer.emplace_back(row, static_cast<int>(column), it.value());
+        target.insertBack(row, targetColumn) = it.value();
       }
     }
   }
-  const Index m = static_cast<Index>(factor.FreeVertices.size());
-  SparseMatrix matrix(m, m);
-  matrix.setFromTriplets(inner.begin(), inner.end());
-  factor.FreeToFixed.resize(m, n);
-  factor.FreeToFixed.setFromTriplets(outer.begin(), outer.end());
-  if (m == 0)
+  matrix.finalize();
+  factor.FreeToFixed.finalize();
+  if (m > 0)
   {
-    return;
-  }
-
-  factor.Symmetric = isSymmetric(laplacian);
-  Eigen::ComputationInfo info = Eigen::Success;
-  if (factor.Symmetric)
-  {
-    factor.Cholesky.compute(matrix);
-    info = factor.Cholesky.info();
-  }
-  else
-  {
-    factor.LU.compute(matrix);
-    info = factor.LU.info();
-  }
-  if (info != Eigen::Success)
-  {
-    throw SolverFailure("the harmonic map's linear system is singular: part of the surface has no "
-                        "boundary, or triangles are degenerate.");
+    factor.Solver.emplace(matrix,
+      isSymmetric(matrix) ? MultifrontalSolver::Kind::Cholesky : MultifrontalSolver::Kind::LU);
+    factor.Solver->factorize(matrix);
   }
 }
 
@@ -120,7 +99,7 @@ Eigen::MatrixXd DirichletSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& 
   {
     b.row(i) += rightHandSide.row(factor.FreeVertices[static_cast<std::size_t>(i)]);
   }
-  const Eigen::MatrixXd x = factor.solve(b);
+  const Eigen::MatrixXd x = factor.Solver->solve(b);
   if (!x.allFinite())
   {
     throw SolverFailure("the harmonic map's linear system has no finite solution: triangles are "

@@ -16,7 +16,8 @@ namespace hexsweep
  * Solves L f = b at the free vertices with f given at the fixed ones.
  *
  * The matrix is factorised once, in the constructor; solve() may then be called for any number of
- * right-hand sides. Symmetric matrices use a sparse Cholesky factorisation (Eigen), others LU.
+ * right-hand sides. Symmetric matrices get a Cholesky factorisation, others LU (see
+ * MultifrontalSolver).
  */
 class DirichletSolver
 {

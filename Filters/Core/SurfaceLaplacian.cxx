@@ -5,26 +5,93 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace hexsweep
 {
 namespace
 {
-using Triplets = std::vector<Eigen::Triplet<double, int>>;
+/// Directed weights that one triangle adds: w(i, j) from corner i to corner j.
+using CornerWeights = Eigen::Matrix3d;
 
-/// Adds the directed weight w_ij to row i.
-void addWeight(Triplets& entries, Index i, Index j, double w)
+/**
+ * Sums the triangles' weights: entry (i, j) is -w_ij, the diagonal their sum over j.
+ *
+ * Filled column by column without a detour over triplets, which would cost as much as factorising
+ * the matrix. Two triangles share an edge, so that symmetric weights give a symmetric matrix bit
+ * for bit: a + b is b + a.
+ *
+ * @param weights called once with each row of `triangles`.
+ */
+template <typename Weight>
+SparseMatrix assemble(Index n, const TrianglesRef& triangles, const Weight& weights)
 {
-  entries.emplace_back(static_cast<int>(i), static_cast<int>(j), -w);
-  entries.emplace_back(static_cast<int>(i), static_cast<int>(i), w);
-}
+  struct Entry
+  {
+    int row;
+    double weight;
+  };
+  std::vector<Index> next(static_cast<std::size_t>(n) + 1, 0);
+  for (Index k = 0; k < triangles.size(); ++k)
+  {
+    next[static_cast<std::size_t>(triangles.data()[k]) + 1] += 2;
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const std::vector<Index> columns = next;
+  std::vector<Entry> entries(static_cast<std::size_t>(columns.back()));
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    const CornerWeights w = weights(t);
+    for (Index c = 0; c < 3; ++c)
+    {
+      const Index j = triangles(t, c);
+      for (Index r = 0; r < 3; ++r)
+      {
+        if (r != c)
+        {
+          const Index i = triangles(t, r);
+          Index& place = next[static_cast<std::size_t>(j)];
+          entries[static_cast<std::size_t>(place++)] = { static_cast<int>(i), w(r, c) };
+          diagonal[i] += w(r, c);
+        }
+      }
+    }
+  }
 
-SparseMatrix assemble(Index n, const Triplets& entries)
-{
   SparseMatrix matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix.reserve(columns.back() / 2 + 2 * n); // an interior edge comes twice, a boundary edge once
+  for (Index j = 0; j < n; ++j)
+  {
+    const auto begin = entries.begin() + columns[static_cast<std::size_t>(j)];
+    const auto end = entries.begin() + columns[static_cast<std::size_t>(j) + 1];
+    std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.row < b.row; });
+    matrix.startVec(j);
+    bool diagonalDone = begin == end;
+    for (auto it = begin; it != end;)
+    {
+      if (!diagonalDone && it->row > j)
+      {
+        matrix.insertBack(j, j) = diagonal[j];
+        diagonalDone = true;
+      }
+      const int row = it->row;
+      double weight = 0.0;
+      for (; it != end && it->row == row; ++it)
+      {
+        weight += it->weight;
+      }
+      matrix.insertBack(row, j) = -weight;
+    }
+    if (!diagonalDone)
+    {
+      matrix.insertBack(j, j) = diagonal[j];
+    }
+  }
+  matrix.finalize();
   return matrix;
 }
 
@@ -34,6 +101,20 @@ SparseMatrix assemble(Index n, const Triplets& entries)
     " has no area, so that no angle is defined. Remove degenerate triangles (in ParaView: Clean) "
     "or triangulate again.");
 }
+
+Eigen::RowVector3d cornerCotangents(
+  const PointsRef& points, const Eigen::Ref<const Eigen::Matrix<Index, 1, 3>>& triangle)
+{
+  Eigen::RowVector3d result;
+  for (Index c = 0; c < 3; ++c)
+  {
+    const Eigen::RowVector3d apex = points.row(triangle[c]);
+    const Eigen::RowVector3d u = points.row(triangle[(c + 1) % 3]) - apex;
+    const Eigen::RowVector3d v = points.row(triangle[(c + 2) % 3]) - apex;
+    result[c] = u.dot(v) / u.cross(v).norm();
+  }
+  return result;
+}
 }
 
 Points cotangents(const PointsRef& points, const TrianglesRef& triangles)
@@ -41,52 +122,36 @@ Points cotangents(const PointsRef& points, const TrianglesRef& triangles)
   Points result(triangles.rows(), 3);
   for (Index t = 0; t < triangles.rows(); ++t)
   {
-    for (Index c = 0; c < 3; ++c)
-    {
-      const Eigen::RowVector3d apex = points.row(triangles(t, c));
-      const Eigen::RowVector3d u = points.row(triangles(t, (c + 1) % 3)) - apex;
-      const Eigen::RowVector3d v = points.row(triangles(t, (c + 2) % 3)) - apex;
-      result(t, c) = u.dot(v) / u.cross(v).norm();
-    }
+    result.row(t) = cornerCotangents(points, triangles.row(t));
   }
   return result;
 }
 
 SparseMatrix cotangentLaplacian(const PointsRef& points, const TrianglesRef& triangles)
 {
-  const Points cot = cotangents(points, triangles);
-  Triplets entries;
-  entries.reserve(static_cast<std::size_t>(triangles.rows()) * 12);
-  for (Index t = 0; t < triangles.rows(); ++t)
-  {
-    if (!cot.row(t).allFinite())
+  return assemble(points.rows(), triangles, [&](Index t) {
+    const Eigen::RowVector3d cot = cornerCotangents(points, triangles.row(t));
+    if (!cot.allFinite())
     {
       failFlat(t);
     }
-    for (Index c = 0; c < 3; ++c)
-    {
-      const Index i = triangles(t, (c + 1) % 3);
-      const Index j = triangles(t, (c + 2) % 3);
-      addWeight(entries, i, j, cot(t, c));
-      addWeight(entries, j, i, cot(t, c));
-    }
-  }
-  return assemble(points.rows(), entries);
+    CornerWeights w;
+    w << 0.0, cot[2], cot[1], cot[2], 0.0, cot[0], cot[1], cot[0], 0.0;
+    return w;
+  });
 }
 
 SparseMatrix meanValueLaplacian(const PointsRef& points, const TrianglesRef& triangles)
 {
-  Triplets entries;
-  entries.reserve(static_cast<std::size_t>(triangles.rows()) * 12);
-  for (Index t = 0; t < triangles.rows(); ++t)
-  {
+  return assemble(points.rows(), triangles, [&](Index t) {
+    CornerWeights w = CornerWeights::Zero();
     for (Index c = 0; c < 3; ++c)
     {
-      const Index i = triangles(t, c);
-      const Index j = triangles(t, (c + 1) % 3);
-      const Index k = triangles(t, (c + 2) % 3);
-      const Eigen::RowVector3d u = points.row(j) - points.row(i);
-      const Eigen::RowVector3d v = points.row(k) - points.row(i);
+      const Index j = (c + 1) % 3;
+      const Index k = (c + 2) % 3;
+      const Eigen::RowVector3d apex = points.row(triangles(t, c));
+      const Eigen::RowVector3d u = points.row(triangles(t, j)) - apex;
+      const Eigen::RowVector3d v = points.row(triangles(t, k)) - apex;
       const double lu = u.norm();
       const double lv = v.norm();
       // tan(a/2) = sin a / (1 + cos a)
@@ -95,11 +160,11 @@ SparseMatrix meanValueLaplacian(const PointsRef& points, const TrianglesRef& tri
       {
         failFlat(t);
       }
-      addWeight(entries, i, j, tangent / lu);
-      addWeight(entries, i, k, tangent / lv);
+      w(c, j) = tangent / lu;
+      w(c, k) = tangent / lv;
     }
-  }
-  return assemble(points.rows(), entries);
+    return w;
+  });
 }
 
 SparseMatrix surfaceLaplacian(

@@ -38,7 +38,7 @@ Points cotangents(const PointsRef& points, const TrianglesRef& triangles);
  * f^T L f is the energy E(f) of equation (2); it is twice the Dirichlet integral of the piecewise
  * linear function f. Rows of points that no triangle uses are empty.
  *
- * @return n x n, symmetric, positive semidefinite, rows sum to zero.
+ * @return n x n, symmetric bit for bit, positive semidefinite, rows sum to zero.
  * @throw InvalidInput when a triangle has no area.
  */
 SparseMatrix cotangentLaplacian(const PointsRef& points, const TrianglesRef& triangles);

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MultifrontalSolver.h"
+
+#include "Errors.h"
+#include "NestedDissection.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace hexsweep
+{
+namespace
+{
+using Matrix = Eigen::MatrixXd;
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
+}
+
+MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind)
+  : Factorization(kind)
+{
+  Dissection dissection = dissect(pattern);
+  this->Order = std::move(dissection.order);
+  const Index n = pattern.rows();
+  this->Place.resize(at(n));
+  for (Index k = 0; k < n; ++k)
+  {
+    this->Place[at(this->Order[at(k)])] = k;
+  }
+
+  std::vector<std::vector<Index>> children(dissection.parts.size());
+  std::vector<Index> seen(at(n), -1); // the last front that a place was put into
+  Index values = 0;
+  for (std::size_t f = 0; f < dissection.parts.size(); ++f)
+  {
+    const Dissection::Part& part = dissection.parts[f];
+    const Index border = static_cast<Index>(this->Borders.size());
+    const auto add = [&](Index place) {
+      if (place >= part.end && seen[at(place)] != static_cast<Index>(f))
+      {
+        seen[at(place)] = static_cast<Index>(f);
+        this->Borders.push_back(place);
+      }
+    };
+    for (Index k = part.begin; k < part.end; ++k)
+    {
+      for (SparseMatrix::InnerIterator it(pattern, this->Order[at(k)]); it; ++it)
+      {
+        add(this->Place[at(it.row())]);
+      }
+    }
+    for (const Index c : children[f])
+    {
+      const Front& child = this->Fronts[at(c)];
+      for (Index k = 0; k < child.borderSize; ++k)
+      {
+        add(this->Borders[at(child.border + k)]);
+      }
+    }
+    std::sort(this->Borders.begin() + border, this->Borders.end());
+    const Index borderSize = static_cast<Index>(this->Borders.size()) - border;
+    const Index pivots = part.end - part.begin;
+    const Index lower = values;
+    const Index upper = lower + pivots * (pivots + borderSize);
+    values = kind == Kind::LU ? upper + pivots * borderSize : upper;
+    this->Fronts.push_back({ part.begin, pivots, part.parent, border, borderSize, lower, upper });
+    if (part.parent >= 0)
+    {
+      children[at(part.parent)].push_back(static_cast<Index>(f));
+    }
+  }
+  this->Values.resize(at(values));
+  if (kind == Kind::LU)
+  {
+    this->Pivoting.resize(at(n));
+  }
+}
+
+void MultifrontalSolver::assemble(
+  const Front& front, const SparseMatrix& matrix, const std::vector<Index>& local)
+{
+  const Index size = front.pivots + front.borderSize;
+  Eigen::Map<Matrix> lower(this->Values.data() + front.lower, size, front.pivots);
+  lower.setZero();
+  for (Index k = 0; k < front.pivots; ++k)
+  {
+    for (SparseMatrix::InnerIterator it(matrix, this->Order[at(front.begin + k)]); it; ++it)
+    {
+      const Index place = this->Place[at(it.row())];
+      if (place >= front.begin)
+      {
+        lower(local[at(place)], k) = it.value();
+      }
+    }
+  }
+  if (this->Factorization == Kind::LU)
+  {
+    Eigen::Map<Matrix> upper(this->Values.data() + front.upper, front.pivots, front.borderSize);
+    upper.setZero();
+    for (Index k = 0; k < front.borderSize; ++k)
+    {
+      const int column = this->Order[at(this->Borders[at(front.border + k)])];
+      for (SparseMatrix::InnerIterator it(matrix, column); it; ++it)
+      {
+        const Index pivot = this->Place[at(it.row())] - front.begin;
+        if (pivot >= 0 && pivot < front.pivots)
+        {
+          upper(pivot, k) = it.value();
+        }
+      }
+    }
+  }
+}
+
+void MultifrontalSolver::extendAdd(const Front& front, Update& update, const Front& child,
+  const Update& childUpdate, const std::vector<Index>& local)
+{
+  const bool full = this->Factorization == Kind::LU;
+  const Index size = front.pivots + front.borderSize;
+  const Index* places = this->Borders.data() + child.border;
+  for (Index j = 0; j < child.borderSize; ++j)
+  {
+    const Index column = local[at(places[j])];
+    const bool isPivot = column < front.pivots;
+    // Column of the front, indexed by the rows of the whole front; its upper part lies apart.
+    double* below = isPivot ? this->Values.data() + front.lower + column * size
+                            : update.data() + (column - front.pivots) * front.borderSize;
+    double* above =
+      isPivot ? below : this->Values.data() + front.upper + (column - front.pivots) * front.pivots;
+    for (Index i = full ? 0 : j; i < child.borderSize; ++i)
+    {
+      const Index row = local[at(places[i])];
+      if (isPivot || row < front.pivots)
+      {
+        above[row] += childUpdate(i, j);
+      }
+      else
+      {
+        below[row - front.pivots] += childUpdate(i, j);
+      }
+    }
+  }
+}
+
+bool MultifrontalSolver::eliminate(const Front& front, Update& update)
+{
+  Eigen::Map<Matrix> panel(
+    this->Values.data() + front.lower, front.pivots + front.borderSize, front.pivots);
+  auto diagonal = panel.topRows(front.pivots);
+  auto lower = panel.bottomRows(front.borderSize);
+  using InPlace = Eigen::Ref<Matrix, 0, Eigen::OuterStride<>>;
+  if (this->Factorization == Kind::Cholesky)
+  {
+    const Eigen::LLT<InPlace> cholesky(diagonal);
+    if (cholesky.info() != Eigen::Success)
+    {
+      return false;
+    }
+    if (front.borderSize > 0)
+    {
+      diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(lower);
+      update.selfadjointView<Eigen::Lower>().rankUpdate(lower, -1.0);
+    }
+    return true;
+  }
+  const Eigen::PartialPivLU<InPlace> lu(diagonal);
+  if (!((diagonal.diagonal().array().abs() > 0.0).all() && diagonal.allFinite()))
+  {
+    return false;
+  }
+  Eigen::Map<Eigen::VectorXi>(this->Pivoting.data() + front.begin, front.pivots) =
+    lu.permutationP().indices();
+  Eigen::Map<Matrix> upper(this->Values.data() + front.upper, front.pivots, front.borderSize);
+  if (front.borderSize > 0)
+  {
+    upper = (lu.permutationP() * upper).eval();
+    diagonal.triangularView<Eigen::UnitLower>().solveInPlace(upper);
+    diagonal.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(lower);
+    update.noalias() -= lower * upper;
+  }
+  return true;
+}
+
+void MultifrontalSolver::factorize(const SparseMatrix& matrix)
+{
+  std::vector<Update> updates(this->Fronts.size());
+  std::vector<std::vector<std::size_t>> children(this->Fronts.size());
+  std::vector<Index> local(this->Order.size());
+  for (std::size_t f = 0; f < this->Fronts.size(); ++f)
+  {
+    const Front& front = this->Fronts[f];
+    for (Index k = 0; k < front.pivots; ++k)
+    {
+      local[at(front.begin + k)] = k;
+    }
+    for (Index k = 0; k < front.borderSize; ++k)
+    {
+      local[at(this->Borders[at(front.border + k)])] = front.pivots + k;
+    }
+    this->assemble(front, matrix, local);
+    updates[f].setZero(front.borderSize, front.borderSize);
+    for (const std::size_t c : children[f])
+    {
+      this->extendAdd(front, updates[f], this->Fronts[c], updates[c], local);
+      updates[c].resize(0, 0);
+    }
+    if (!this->eliminate(front, updates[f]))
+    {
+      throw SolverFailure("the harmonic map's linear system is singular: part of the surface has "
+                          "no boundary, or triangles are degenerate.");
+    }
+    if (front.parent >= 0)
+    {
+      children[at(front.parent)].push_back(f);
+    }
+  }
+}
+
+Eigen::MatrixXd MultifrontalSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const
+{
+  const bool cholesky = this->Factorization == Kind::Cholesky;
+  const Index n = b.rows();
+  RowMajorMatrix x(n, b.cols()); // in the elimination order
+  for (Index k = 0; k < n; ++k)
+  {
+    x.row(k) = b.row(this->Order[at(k)]);
+  }
+  const auto factor = [this](const Front& front) {
+    return Eigen::Map<const Matrix>(
+      this->Values.data() + front.lower, front.pivots + front.borderSize, front.pivots);
+  };
+  RowMajorMatrix border;
+  for (const Front& front : this->Fronts)
+  {
+    const auto panel = factor(front);
+    const auto diagonal = panel.topRows(front.pivots);
+    auto own = x.middleRows(front.begin, front.pivots);
+    if (cholesky)
+    {
+      diagonal.triangularView<Eigen::Lower>().solveInPlace(own);
+    }
+    else
+    {
+      const Eigen::PermutationMatrix<Eigen::Dynamic> pivoting(Eigen::VectorXi(
+        Eigen::Map<const Eigen::VectorXi>(this->Pivoting.data() + front.begin, front.pivots)));
+      own = (pivoting * own).eval();
+      diagonal.triangularView<Eigen::UnitLower>().solveInPlace(own);
+    }
+    border.noalias() = panel.bottomRows(front.borderSize) * own;
+    for (Index k = 0; k < front.borderSize; ++k)
+    {
+      x.row(this->Borders[at(front.border + k)]) -= border.row(k);
+    }
+  }
+  for (auto front = this->Fronts.rbegin(); front != this->Fronts.rend(); ++front)
+  {
+    const auto panel = factor(*front);
+    const auto diagonal = panel.topRows(front->pivots);
+    auto own = x.middleRows(front->begin, front->pivots);
+    border.resize(front->borderSize, b.cols());
+    for (Index k = 0; k < front->borderSize; ++k)
+    {
+      border.row(k) = x.row(this->Borders[at(front->border + k)]);
+    }
+    if (cholesky)
+    {
+      own.noalias() -= panel.bottomRows(front->borderSize).transpose() * border;
+      diagonal.transpose().triangularView<Eigen::Upper>().solveInPlace(own);
+    }
+    else
+    {
+      own.noalias() -= Eigen::Map<const Matrix>(
+                         this->Values.data() + front->upper, front->pivots, front->borderSize) *
+        border;
+      diagonal.triangularView<Eigen::Upper>().solveInPlace(own);
+    }
+  }
+  Eigen::MatrixXd result(n, b.cols());
+  for (Index k = 0; k < n; ++k)
+  {
+    result.row(this->Order[at(k)]) = x.row(k);
+  }
+  return result;
+}
+}

@@ -2,12 +2,12 @@
 #include "MultifrontalSolver.h"
 
 #include "Errors.h"
-#include "NestedDissection.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <utility>
 
 namespace hexsweep
 {
@@ -22,10 +22,12 @@ std::size_t at(Index i)
 }
 }
 
-MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind)
+MultifrontalSolver::MultifrontalSolver(
+  const SparseMatrix& pattern, Kind kind, std::vector<std::vector<Index>> elements)
   : Factorization(kind)
+  , Elements(std::move(elements))
 {
-  Dissection dissection = dissect(pattern);
+  Dissection dissection = dissect(pattern, this->Elements);
   this->Order = std::move(dissection.order);
   const Index n = pattern.rows();
   this->Place.resize(at(n));
@@ -34,6 +36,7 @@ MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind)
     this->Place[at(this->Order[at(k)])] = k;
   }
 
+  this->ElementsAt = this->firstFronts(dissection);
   std::vector<std::vector<Index>> children(dissection.parts.size());
   std::vector<Index> seen(at(n), -1); // the last front that a place was put into
   Index values = 0;
@@ -53,6 +56,13 @@ MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind)
       for (SparseMatrix::InnerIterator it(pattern, this->Order[at(k)]); it; ++it)
       {
         add(this->Place[at(it.row())]);
+      }
+    }
+    for (const std::size_t e : this->ElementsAt[f])
+    {
+      for (const Index row : this->Elements[e])
+      {
+        add(this->Place[at(row)]);
       }
     }
     for (const Index c : children[f])
@@ -79,6 +89,60 @@ MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind)
   if (kind == Kind::LU)
   {
     this->Pivoting.resize(at(n));
+  }
+}
+
+/// The parts at which elements enter: where the first of their rows is eliminated.
+std::vector<std::vector<std::size_t>> MultifrontalSolver::firstFronts(
+  const Dissection& dissection) const
+{
+  std::vector<std::vector<std::size_t>> result(dissection.parts.size());
+  for (std::size_t e = 0; e < this->Elements.size(); ++e)
+  {
+    Index first = static_cast<Index>(this->Place.size());
+    for (const Index row : this->Elements[e])
+    {
+      first = std::min(first, this->Place[at(row)]);
+    }
+    const auto part = std::upper_bound(dissection.parts.begin(), dissection.parts.end(), first,
+      [](Index place, const Dissection::Part& p) { return place < p.end; });
+    result[at(part - dissection.parts.begin())].push_back(e);
+  }
+  return result;
+}
+
+void MultifrontalSolver::addElement(const Front& front, Update& update,
+  const std::vector<Index>& rows, const Eigen::MatrixXd& element, const std::vector<Index>& local)
+{
+  const bool full = this->Factorization == Kind::LU;
+  const Index size = front.pivots + front.borderSize;
+  Eigen::Map<Matrix> lower(this->Values.data() + front.lower, size, front.pivots);
+  Eigen::Map<Matrix> upper(
+    this->Values.data() + front.upper, front.pivots, full ? front.borderSize : 0);
+  for (std::size_t b = 0; b < rows.size(); ++b)
+  {
+    const Index column = local[at(this->Place[at(rows[b])])];
+    for (std::size_t a = 0; a < rows.size(); ++a)
+    {
+      const Index row = local[at(this->Place[at(rows[a])])];
+      const double value = element(static_cast<Index>(a), static_cast<Index>(b));
+      if (!full && row < column)
+      {
+        continue;
+      }
+      if (column < front.pivots)
+      {
+        lower(row, column) += value;
+      }
+      else if (row < front.pivots)
+      {
+        upper(row, column - front.pivots) += value;
+      }
+      else
+      {
+        update(row - front.pivots, column - front.pivots) += value;
+      }
+    }
   }
 }
 
@@ -187,7 +251,8 @@ bool MultifrontalSolver::eliminate(const Front& front, Update& update)
   return true;
 }
 
-void MultifrontalSolver::factorize(const SparseMatrix& matrix)
+void MultifrontalSolver::factorize(
+  const SparseMatrix& matrix, const std::vector<Eigen::MatrixXd>& elements)
 {
   std::vector<Update> updates(this->Fronts.size());
   std::vector<std::vector<std::size_t>> children(this->Fronts.size());
@@ -205,6 +270,10 @@ void MultifrontalSolver::factorize(const SparseMatrix& matrix)
     }
     this->assemble(front, matrix, local);
     updates[f].setZero(front.borderSize, front.borderSize);
+    for (const std::size_t e : this->ElementsAt[f])
+    {
+      this->addElement(front, updates[f], this->Elements[e], elements[e], local);
+    }
     for (const std::size_t c : children[f])
     {
       this->extendAdd(front, updates[f], this->Fronts[c], updates[c], local);

@@ -34,9 +34,10 @@ struct Dissection
  * coordinates in the plane; parts are halved across their longer side until they are small. On
  * surface meshes the separators are about a tenth longer than those of a bisection in space.
  *
- * @param matrix n x n with a symmetric pattern.
+ * @param matrix  n x n with a symmetric pattern.
+ * @param cliques rows that count as joined each to each, whatever the matrix says; disjoint.
  */
-Dissection dissect(const SparseMatrix& matrix);
+Dissection dissect(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques = {});
 }
 
 #endif

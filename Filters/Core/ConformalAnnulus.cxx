@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ConformalAnnulus.h"
+
+#include "DirichletSolver.h"
+#include "Errors.h"
+#include "HoleCut.h"
+
+#include <cmath>
+
+namespace hexsweep
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+/// A form whose two bounds of the modulus are this far apart says nothing.
+constexpr double WorstPeriod = 2.0;
+
+/// Harmonic angle: values at the vertices, and the energy of equation (2) of its differential.
+struct HarmonicAngle
+{
+  Eigen::VectorXd values;
+  double energy;
+};
+
+HarmonicAngle harmonicAngle(const PointsRef& points, const TrianglesRef& triangles,
+  const SparseMatrix& laplacian, const std::vector<Index>& cut)
+{
+  // The jump is minus a turn on the left: followed counter-clockwise, the outer loop enters there.
+  const Points jump = -2.0 * Pi * leftOfCut(triangles, cut).cast<double>();
+  const Points cot = cotangents(points, triangles);
+  Eigen::VectorXd source = Eigen::VectorXd::Zero(points.rows());
+  double energy = 0.0;
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    if (jump.row(t).isZero(0.0))
+    {
+      continue;
+    }
+    for (Index c = 0; c < 3; ++c)
+    {
+      const Index i = (c + 1) % 3;
+      const Index j = (c + 2) % 3;
+      const double flow = cot(t, c) * (jump(t, i) - jump(t, j));
+      source[triangles(t, i)] -= flow;
+      source[triangles(t, j)] += flow;
+      energy += flow * (jump(t, i) - jump(t, j));
+    }
+  }
+  std::vector<bool> pinned(static_cast<std::size_t>(points.rows()), false);
+  pinned[static_cast<std::size_t>(cut.back())] = true;
+  const Eigen::VectorXd values =
+    DirichletSolver(laplacian, pinned).solve(Eigen::VectorXd::Zero(points.rows()), source);
+  return { values, energy - source.dot(values) };
+}
+}
+
+ConformalAnnulus conformalAnnulus(
+  const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops)
+{
+  const SparseMatrix laplacian = cotangentLaplacian(points, triangles);
+  std::vector<bool> fixed(static_cast<std::size_t>(points.rows()), false);
+  Eigen::VectorXd height = Eigen::VectorXd::Zero(points.rows());
+  for (std::size_t l = 0; l < 2; ++l)
+  {
+    for (const Index v : loops[l])
+    {
+      fixed[static_cast<std::size_t>(v)] = true;
+      height[v] = static_cast<double>(l);
+    }
+  }
+  ConformalAnnulus annulus;
+  annulus.height = DirichletSolver(laplacian, fixed).solve(height);
+  HarmonicAngle angle = harmonicAngle(
+    points, triangles, laplacian, shortestCut(triangles, points.rows(), loops[1], loops[0]));
+  annulus.angle = std::move(angle.values);
+
+  // Dirichlet integrals on a cylinder of length m and girth 2 pi: 2 pi / m and 2 pi m; equation (2)
+  // is twice that.
+  const double fromHeight = 4.0 * Pi / annulus.height.dot(laplacian * annulus.height);
+  const double fromAngle = angle.energy / (4.0 * Pi);
+  annulus.period = fromAngle / fromHeight;
+  if (!(annulus.period > 1.0 / WorstPeriod && annulus.period < WorstPeriod))
+  {
+    throw InvalidInput("the conformal radius of the hole cannot be told: the two harmonic forms "
+                       "that should be conjugate are not. The triangulation is too coarse or too "
+                       "distorted: refine it, or improve it first.");
+  }
+  annulus.innerRadius = std::exp(-std::sqrt(fromHeight * fromAngle));
+  return annulus;
+}
+}

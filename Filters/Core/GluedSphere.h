@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Conformal map of a cap whose loops are closed by round disks.
+ */
+#ifndef hexsweep_GluedSphere_h
+#define hexsweep_GluedSphere_h
+
+#include "MultifrontalSolver.h"
+
+namespace hexsweep
+{
+/**
+ * A cap, and one round disk glued to each of its loops by an angle for every node: a closed surface
+ * of genus 0, with the metric of the cap and of the disks.
+ *
+ * Its conformal map to the plane, with the pole in the middle of the first loop's disk, is one
+ * symmetric positive definite system with two right-hand sides (see diskFillEnergy()). The image
+ * of a loop is a circle when the angles at which it is glued are those of its image.
+ */
+class GluedSphere
+{
+public:
+  /// @param laplacian cotangent weights. @param loops the outer one first.
+  GluedSphere(const SparseMatrix& laplacian, std::vector<Loop> loops);
+
+  /**
+   * Maps the surface that is glued at these angles.
+   *
+   * @param angles one list a loop, in radians, strictly monotone within a turn; rising on the
+   * first.
+   * @throw SolverFailure
+   */
+  void map(const std::vector<std::vector<double>>& angles);
+
+  /// Approximates what map() would give from the present map and the factor of the last map(): one
+  /// step of iterative refinement.
+  void correct(const std::vector<std::vector<double>>& angles);
+
+  /// n x 2; the first loop's mean lies at the origin, its radius is near 1.
+  const Eigen::MatrixXd& image() const { return this->Image; }
+
+private:
+  void glue(const std::vector<std::vector<double>>& angles);
+
+  SparseMatrix Laplacian;
+  std::vector<Loop> Loops;
+  MultifrontalSolver Solver;
+  std::vector<Eigen::MatrixXd> Fills;
+  Eigen::MatrixXd Source;
+  Eigen::MatrixXd Image;
+};
+}
+
+#endif

@@ -18,6 +18,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkSweepQuadProjector);
@@ -49,10 +50,16 @@ void writeQuads(const SweepProjection& projection, const SurfaceInput& quads, vt
   cellData->AddArray(jacobian);
 }
 
-void writeReport(const SweepProjection& projection, ProjectionMethod method, vtkFieldData* field)
+/// Methods by their number in MethodType.
+constexpr std::pair<ProjectionMethod, const char*> Methods[] = {
+  { ProjectionMethod::Harmonic, "Harmonic" },
+  { ProjectionMethod::PaperHarmonic, "PaperHarmonic" },
+  { ProjectionMethod::AffineLeastSquares, "AffineLeastSquares" },
+};
+
+void writeReport(const SweepProjection& projection, const char* method, vtkFieldData* field)
 {
-  addReport(field, "SweepReportMethod",
-    std::string(method == ProjectionMethod::Harmonic ? "Harmonic" : "AffineLeastSquares"));
+  addReport(field, "SweepReportMethod", std::string(method));
   addReport(field, "SweepReportInvertedQuads", projection.quality.inverted);
   addReport(field, "SweepReportInvertedBefore", projection.invertedBefore);
   addReport(field, "SweepReportRounds", static_cast<Index>(projection.rounds));
@@ -69,10 +76,33 @@ void writeReport(const SweepProjection& projection, ProjectionMethod method, vtk
     addReport(field, "SweepReportFlipsAfter",
       static_cast<Index>(projection.source->flipped.size() + projection.target->flipped.size()));
   }
+  if (projection.nitsche)
+  {
+    addReport(field, "SweepReportNitscheRatio", projection.nitsche->ratio());
+  }
   if (!projection.startFractions.empty())
   {
     addReport(field, "SweepReportLoopStarts", projection.startFractions);
   }
+}
+
+/// What to tell the user about a map that the Nitsche bound forbids; empty if it does not.
+std::string describeNitsche(const SweepProjection& projection)
+{
+  if (!projection.nitsche || projection.nitsche->ratio() > 1.0)
+  {
+    return {};
+  }
+  const NitscheCondition& nitsche = *projection.nitsche;
+  const double degrees = 45.0 / std::atan(1.0) * nitsche.turn;
+  return "the Nitsche bound is violated: the hole's conformal radius r is " +
+    describe(nitsche.sourceRadius) + " on the source cap and " + describe(nitsche.targetRadius) +
+    " on the target cap, and it turns by " + describe(degrees) +
+    " degrees; PaperHarmonic is one-to-one only if it is below 2 r cos(turn) / (1 + r^2) = " +
+    describe(nitsche.greatestTargetRadius()) + " on the target cap. " +
+    std::to_string(projection.source->flipped.size()) +
+    " triangles of the source surface are flipped. Set Method to Harmonic, which has no such "
+    "bound.";
 }
 
 /// What to tell the user about inverted quads; empty if there are none.
@@ -134,11 +164,12 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   {
     return;
   }
-  if (this->Method != HARMONIC && this->Method != AFFINE_LEAST_SQUARES)
+  if (this->Method < HARMONIC || this->Method > AFFINE_LEAST_SQUARES)
   {
     throw InvalidInput("Method " + std::to_string(this->Method) +
-      " does not exist. Choose Harmonic (0) or AffineLeastSquares (2).");
+      " does not exist. Choose Harmonic (0), PaperHarmonic (1) or AffineLeastSquares (2).");
   }
+  const auto& [method, methodName] = Methods[this->Method];
   const SurfaceInput quads = readQuads(source, "source quads");
   const SurfaceInput triangles = readTriangles(target, "target surface");
   SurfaceInput sourceTriangles;
@@ -147,8 +178,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   input.source = { quads.points, quads.faces };
   input.target = { triangles.points, triangles.faces };
   input.linking = readOptionalQuads(inputDataSet(inputs, 2), "linking sides");
-  input.method =
-    this->Method == HARMONIC ? ProjectionMethod::Harmonic : ProjectionMethod::AffineLeastSquares;
+  input.method = method;
   input.matchTolerance = this->MatchTolerance;
   input.singlePrecision = this->OutputPointsPrecision == SINGLE_PRECISION;
   input.ensureValid = this->EnsureValid;
@@ -167,7 +197,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
       sourceTriangles.cellIds.insert(sourceTriangles.cellIds.end(), 2, id);
     }
   }
-  if (this->DiskMaps == FROM_INPUT && input.method == ProjectionMethod::Harmonic)
+  if (this->DiskMaps == FROM_INPUT && method != ProjectionMethod::AffineLeastSquares)
   {
     if (!sourceSurface)
     {
@@ -183,7 +213,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   auto* output = vtkUnstructuredGrid::GetData(outputs, 0);
   writeQuads(projection, quads, source, this->OutputPointsPrecision, output);
   output->GetFieldData()->PassData(source->GetFieldData());
-  writeReport(projection, input.method, output->GetFieldData());
+  writeReport(projection, methodName, output->GetFieldData());
   addReport(output->GetFieldData(), "SweepReportIgnoredCells", quads.ignoredCells);
   if (projection.source)
   {
@@ -200,6 +230,11 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
         vtkWarningMacro(<< flips);
       }
     }
+  }
+  const std::string nitsche = describeNitsche(projection);
+  if (!nitsche.empty())
+  {
+    vtkWarningMacro(<< nitsche);
   }
   const std::string inverted = describeInverted(projection, input.source.quads);
   if (!inverted.empty())

@@ -8,6 +8,14 @@
  * column of the linking sides. Section 3.2 of S. Cai, T. J. Tautges, "Robust One-to-One Sweeping
  * with Harmonic S-T Mappings and Cages", 22nd International Meshing Roundtable, 2013.
  *
+ * That section pins the source cap to the canonical domain of the target cap instead;
+ * PAPER_HARMONIC does so to the letter, for comparison. Its map folds where a hole grows or turns
+ * too much. For one hole that is the Nitsche bound: with the hole's radius r in the annulus that
+ * the source cap is conformal to (outer radius 1), rho in that of the target cap, and the angle
+ * theta by which the hole turns against the outer loop, the map is one-to-one only if rho < 2 r
+ * cos(theta) / (1 + r^2). To stay below is no promise where columns run unevenly along the loops,
+ * and for more holes no closed form is known; flips are counted and reported as for HARMONIC.
+ *
  * Inputs (vtkUnstructuredGrid or vtkPolyData):
  * - 0 SourceQuads: all-quad mesh of the source cap, consistently oriented.
  * - 1 TargetSurface: the target cap (polygons and strips are triangulated).
@@ -26,11 +34,18 @@
  *   `SweepReportMaximumBoundaryDistance` (of the last ring from the boundary of the target surface;
  *   up to a quarter of an edge is taken for the height of a chord), `SweepReportIgnoredCells`,
  *   `SweepReportOutside` (nodes that lay in no triangle of the target's disk map),
- *   `SweepReportFlipsBefore`, `SweepReportFlipsAfter` (both caps).
+ *   `SweepReportFlipsBefore`, `SweepReportFlipsAfter` (both caps), and for PAPER_HARMONIC with one
+ *   hole `SweepReportNitscheRatio`: 2 r cos(theta) / ((1 + r^2) rho), at 1 and below the map folds.
  * - 1, 2 source and target cap in their disk, as vtkHarmonicDiskMap gives them; empty for
  *   AFFINE_LEAST_SQUARES.
  *
- * Inverted quads and flipped triangles raise warnings.
+ * The unit of length, the axes and the origin do not matter: with all settings at their defaults,
+ * points agree to 3e-13 of the model's size at 1e-6 and 1e6 times the size and after a rotation
+ * (measured on 16 sweeps). Far from the origin the rounding of the input itself shows: d sizes away
+ * points agree to about 5e-16 d, which is below 1e-9 a million sizes away; untangling multiplies
+ * that by up to a few hundred, which leaves 1e-9 ten thousand sizes away.
+ *
+ * Inverted quads, flipped triangles and a violated Nitsche bound raise warnings.
  */
 #ifndef vtkSweepQuadProjector_h
 #define vtkSweepQuadProjector_h
@@ -49,6 +64,7 @@ public:
   enum MethodType
   {
     HARMONIC = 0,            ///< through harmonic maps to a common domain
+    PAPER_HARMONIC = 1,      ///< the source cap pinned to the target's own domain; may fold
     AFFINE_LEAST_SQUARES = 2 ///< affine map fitted to the loops, then along the normal
   };
 
@@ -64,12 +80,13 @@ public:
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   void SetMethodToHarmonic() { this->SetMethod(HARMONIC); }
+  void SetMethodToPaperHarmonic() { this->SetMethod(PAPER_HARMONIC); }
   void SetMethodToAffineLeastSquares() { this->SetMethod(AFFINE_LEAST_SQUARES); }
   ///@}
 
   ///@{
   /// AUTOMATIC by default. FROM_INPUT needs both surfaces from vtkHarmonicDiskMap, each mapped with
-  /// the other as its partner.
+  /// the other as its partner; it is an error with PAPER_HARMONIC, which has maps of its own.
   vtkSetClampMacro(DiskMaps, int, AUTOMATIC, FROM_INPUT);
   vtkGetMacro(DiskMaps, int);
   void SetDiskMapsToAutomatic() { this->SetDiskMaps(AUTOMATIC); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommonDiskMap.h"
 
-#include "AnnulusMap.h"
+#include "CylinderCap.h"
 #include "DirichletSolver.h"
 #include "Errors.h"
 #include "RingParameter.h"
@@ -24,19 +24,6 @@ constexpr double CommonHoleShrink = 0.4;
 constexpr double LeastLogRadius = 0.2;
 constexpr double GreatestLogRadius = 5.0;
 
-/// Angles of the united places by arc length along a ring: 0 first, less than 2 pi last.
-std::vector<double> ringAngles(const PointsRef& ring, const std::vector<double>& united)
-{
-  std::vector<double> angles = ringLengths(ring, united);
-  const double whole = angles.back();
-  angles.pop_back();
-  for (double& angle : angles)
-  {
-    angle *= 2.0 * Pi / whole;
-  }
-  return angles;
-}
-
 std::vector<double> mean(const std::vector<double>& a, const std::vector<double>& b)
 {
   std::vector<double> result(a.size());
@@ -49,85 +36,6 @@ std::vector<double> mean(const std::vector<double>& a, const std::vector<double>
 
 //--------------------------------------------------------------------------------------------------
 // Two loops: the cylinder.
-
-/// A cap's own angles (conformal) and height on the cylinder.
-struct CylinderCap
-{
-  AngleFunction angle;
-  Eigen::VectorXd correction; // conformal angle = angle + correction
-  double logRadius = 0.0;     // conformal modulus: log(outer radius / hole radius)
-};
-
-CylinderCap measureCylinder(const CapBoundary& cap)
-{
-  const Points& points = cap.mesh.points;
-  const SparseMatrix laplacian = cotangentLaplacian(points, cap.mesh.triangles);
-  CylinderCap result;
-  result.angle = windingAngle(points, cap.mesh.triangles, laplacian, cap.loops);
-  result.correction = conformalCorrection(laplacian, result.angle, cap.loops[0][0]);
-
-  Eigen::VectorXd height = Eigen::VectorXd::Zero(points.rows());
-  for (const Index v : cap.loops[1])
-  {
-    height[v] = 1.0;
-  }
-  height = DirichletSolver(laplacian, boundaryFlags(points.rows(), cap.loops)).solve(height);
-  // The Dirichlet integral of the height is 2 pi / log(R / r); equation (2) is twice that.
-  result.logRadius = 4.0 * Pi / height.dot(laplacian * height);
-  return result;
-}
-
-/// Conformal angles along a loop, unwrapped from its first node.
-std::vector<double> loopAngles(const CylinderCap& cap, const Loop& loop)
-{
-  std::vector<double> angles;
-  double angle = cap.angle.values[loop[0]];
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    if (k > 0)
-    {
-      angle += wrapAngle(cap.angle.values[loop[k]] - cap.angle.values[loop[k - 1]]);
-    }
-    angles.push_back(angle + cap.correction[loop[k]]);
-  }
-  return angles;
-}
-
-/// Whether the angles turn once in the given direction without standing still.
-bool isMonotone(const std::vector<double>& angles, double direction)
-{
-  for (std::size_t k = 0; k < angles.size(); ++k)
-  {
-    const double next = k + 1 < angles.size() ? angles[k + 1] : angles[0] + direction * 2.0 * Pi;
-    if (!((next - angles[k]) * direction > 0.0))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// By arc length where the conformal angles are not monotone (a very distorted triangulation).
-std::vector<double> safeLoopAngles(const CylinderCap& cap, const Loop& loop, const PointsRef& ring,
-  const std::vector<double>& united, double direction)
-{
-  std::vector<double> angles = loopAngles(cap, loop);
-  if (isMonotone(angles, direction))
-  {
-    return angles;
-  }
-  const std::vector<double> lengths = ringAngles(ring, united);
-  double shift = 0.0;
-  for (std::size_t k = 0; k < angles.size(); ++k)
-  {
-    shift += (angles[k] - direction * lengths[k]) / static_cast<double>(angles.size());
-  }
-  for (std::size_t k = 0; k < angles.size(); ++k)
-  {
-    angles[k] = direction * lengths[k] + shift;
-  }
-  return angles;
-}
 
 /// Harmonic angle and height with the given angles on the loops, drawn as an annulus.
 PlanePoints mapToAnnulus(const CapBoundary& cap, const CylinderCap& own,
@@ -162,8 +70,11 @@ PlanePoints mapToAnnulus(const CapBoundary& cap, const CylinderCap& own,
 
 void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
 {
-  const CylinderCap first = measureCylinder(caps.first);
-  const CylinderCap second = measureCylinder(caps.second);
+  const auto measure = [](const CapBoundary& cap) {
+    return measureCylinder(cap.mesh.points, cap.mesh.triangles, cap.loops);
+  };
+  const CylinderCap first = measure(caps.first);
+  const CylinderCap second = measure(caps.second);
   const double logRadius =
     std::clamp(0.5 * (first.logRadius + second.logRadius), LeastLogRadius, GreatestLogRadius);
 
@@ -173,10 +84,10 @@ void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
   for (std::size_t p = 0; p < 2; ++p)
   {
     const double direction = p == 0 ? 1.0 : -1.0;
-    firstAngles.push_back(
-      safeLoopAngles(first, caps.first.loops[p], caps.pairs[p].first, caps.united[p], direction));
-    secondAngles.push_back(safeLoopAngles(
-      second, caps.second.loops[p], caps.pairs[p].second, caps.united[p], direction));
+    firstAngles.push_back(monotoneLoopAngles(
+      first, caps.first.loops[p], ringAngles(caps.pairs[p].first, caps.united[p]), direction));
+    secondAngles.push_back(monotoneLoopAngles(
+      second, caps.second.loops[p], ringAngles(caps.pairs[p].second, caps.united[p]), direction));
   }
   // Mismatch second - first: its mean on the outer loop is a rotation, which no map cares for;
   // on the hole it counts up to whole turns, of which the nearest to the outer one is meant.
@@ -268,8 +179,9 @@ void mapCircles(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
   mapWithFallback(disks.second, weights,
     [&](Weights w) { return mapToPlane(caps.second.mesh, caps.second.loops, places, w); });
 }
+}
 
-CapDisk startFrom(const CapBoundary& cap, Index numberOfOriginalPoints)
+CapDisk unmappedCap(const CapBoundary& cap, Index numberOfOriginalPoints)
 {
   CapDisk disk;
   disk.mesh = cap.mesh;
@@ -278,7 +190,6 @@ CapDisk startFrom(const CapBoundary& cap, Index numberOfOriginalPoints)
   disk.numberOfOriginalPoints = numberOfOriginalPoints;
   disk.maximumBoundaryDistance = cap.maximumDistance;
   return disk;
-}
 }
 
 CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
@@ -290,8 +201,8 @@ CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
   reportProgress(progress, 0.3);
   CommonDisks disks;
   disks.pairs = caps.pairs;
-  disks.first = startFrom(caps.first, first.points.rows());
-  disks.second = startFrom(caps.second, second.points.rows());
+  disks.first = unmappedCap(caps.first, first.points.rows());
+  disks.second = unmappedCap(caps.second, second.points.rows());
   if (pairs.size() == 2)
   {
     mapAnnuli(disks, caps, weights);

@@ -26,6 +26,9 @@ struct CommonDisks
   std::vector<LoopPair> pairs;
 };
 
+/// A cap that is still to be mapped: all of CapDisk but the map.
+CapDisk unmappedCap(const CapBoundary& cap, Index numberOfOriginalPoints);
+
 /**
  * Maps both caps.
  *

@@ -12,6 +12,7 @@ namespace hexsweep
 {
 namespace
 {
+constexpr double Pi = 3.14159265358979323846;
 constexpr double SamePlace = 1e-7; // of a ring edge
 
 /// A piece of the ring between two places, as nodes with their parameters.
@@ -321,5 +322,17 @@ std::vector<double> ringLengths(const PointsRef& ring, const std::vector<double>
   }
   lengths.push_back(nodeLength.back());
   return lengths;
+}
+
+std::vector<double> ringAngles(const PointsRef& ring, const std::vector<double>& united)
+{
+  std::vector<double> angles = ringLengths(ring, united);
+  const double whole = angles.back();
+  angles.pop_back();
+  for (double& angle : angles)
+  {
+    angle *= 2.0 * Pi / whole;
+  }
+  return angles;
 }
 }

@@ -43,6 +43,9 @@ std::size_t unitedPlace(const std::vector<double>& united, Index ringSize, doubl
 
 /// Cumulated length of the ring at each united place, 0 at place 0; last entry: whole length.
 std::vector<double> ringLengths(const PointsRef& ring, const std::vector<double>& united);
+
+/// The same without the last entry, scaled so that the whole length is 2 pi.
+std::vector<double> ringAngles(const PointsRef& ring, const std::vector<double>& united);
 }
 
 #endif

@@ -44,6 +44,19 @@ CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
   return disks;
 }
 
+/// The pairs with LoopPair::first on the first cap.
+std::vector<LoopPair> sourceFirst(LinkedLoops linked)
+{
+  for (LoopPair& pair : linked.pairs)
+  {
+    if (linked.swapped)
+    {
+      std::swap(pair.first, pair.second);
+    }
+  }
+  return std::move(linked.pairs);
+}
+
 LinkedLoops link(const TriangleMesh& cap, const TriangleMesh& partner, const QuadMesh& linking,
   double matchTolerance)
 {
@@ -238,6 +251,11 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
     checkSurface(input.source.quads, input.source.points.rows(), "source quads");
   checkCap(topology, "source quads");
   const bool given = input.sourceDisk && input.targetDisk;
+  if (given && input.method == ProjectionMethod::PaperHarmonic)
+  {
+    throw InvalidInput("the method PaperHarmonic makes disk maps of its own and cannot use given "
+                       "ones. Set DiskMaps to Automatic, or Method to Harmonic.");
+  }
   const TriangleMesh target =
     given ? input.targetDisk->mesh : oriented(input.target, "target surface");
   const Boundary boundary = placeBoundary(input, target, topology.loops);
@@ -270,8 +288,19 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
       {
         linked = link(source, target, *input.linking, input.matchTolerance);
       }
-      CommonDisks disks = mapPairs(
-        source, target, linked, input.weights, input.matchTolerance, part(progress, 0.05, 0.6));
+      const Progress mapping = part(progress, 0.05, 0.6);
+      CommonDisks disks;
+      if (input.method == ProjectionMethod::PaperHarmonic)
+      {
+        PaperDisks pinned = paperDiskMap(source, target, sourceFirst(std::move(linked)),
+          input.weights, input.matchTolerance, mapping);
+        disks = std::move(pinned.disks);
+        result.nitsche = pinned.nitsche;
+      }
+      else
+      {
+        disks = mapPairs(source, target, linked, input.weights, input.matchTolerance, mapping);
+      }
       result.source = std::move(disks.first);
       result.target = std::move(disks.second);
     }

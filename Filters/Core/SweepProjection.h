@@ -7,7 +7,7 @@
 #ifndef hexsweep_SweepProjection_h
 #define hexsweep_SweepProjection_h
 
-#include "CommonDiskMap.h"
+#include "PaperDiskMap.h"
 #include "QuadPolishing.h"
 #include "QuadProjection.h"
 #include "QuadQuality.h"
@@ -19,6 +19,7 @@ namespace hexsweep
 enum class ProjectionMethod
 {
   Harmonic,          ///< through the harmonic maps of both caps to a common domain
+  PaperHarmonic,     ///< the source pinned to the canonical domain of the target, for comparison
   AffineLeastSquares ///< the traditional method, for comparison
 };
 
@@ -50,6 +51,8 @@ struct SweepProjection
   /// The maps that were used; empty for AffineLeastSquares.
   std::optional<CapDisk> source;
   std::optional<CapDisk> target;
+  /// For PaperHarmonic with one hole.
+  std::optional<NitscheCondition> nitsche;
   /// See MatchedLoops; empty with linking sides.
   std::vector<double> startFractions;
 };

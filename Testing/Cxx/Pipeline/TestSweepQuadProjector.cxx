@@ -9,6 +9,7 @@
 #include <vtkSphereSource.h>
 #include <vtkStaticCellLocator.h>
 
+#include <cstdio>
 #include <limits>
 
 namespace
@@ -518,8 +519,11 @@ TEST(SweepQuadProjector, VerdictsAreAboutTheCoordinatesAsStored)
 TEST(SweepQuadProjector, AMethodThatDoesNotExistIsAnError)
 {
   Projection projection(test::readCase("ubend"));
-  projection.filter->SetMethod(1);
-  expectOneError(projection.filter, "Method 1 does not exist");
+  for (const int method : { -1, 3 })
+  {
+    projection.filter->SetMethod(method);
+    expectOneError(projection.filter, "Method " + std::to_string(method) + " does not exist");
+  }
 }
 
 TEST(SweepQuadProjector, PiecesOfOtherRanks)
@@ -586,6 +590,143 @@ TEST(SweepQuadProjector, AffineLeastSquaresIsTheTraditionalMethod)
   }
   // A taper is an affine map: the traditional method is right here.
   EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+}
+
+TEST(SweepQuadProjector, PaperHarmonicNamesTheNitscheBoundWhereItFolds)
+{
+  // The hole of Fig. 7 grows from 0.3 of the width to most of it.
+  Projection growing(test::readCase("fig7_growing_hole"));
+  growing.raw().filter->SetMethodToPaperHarmonic();
+  vtkUnstructuredGrid* output = growing.run();
+  EXPECT_EQ(test::textReport(output, "SweepReportMethod"), "PaperHarmonic");
+  EXPECT_LT(report(output, "SweepReportNitscheRatio"), 1.0);
+  const auto flips = static_cast<int>(report(output, "SweepReportFlipsAfter"));
+  EXPECT_GT(flips, 0);
+  ASSERT_GE(growing.events.warnings.size(), 2u);
+  EXPECT_NE(growing.events.warnings[0].find(std::to_string(flips) + " of "), std::string::npos);
+  const std::string& nitsche = growing.events.warnings[1];
+  EXPECT_NE(nitsche.find("Nitsche bound is violated"), std::string::npos) << nitsche;
+  EXPECT_NE(nitsche.find(std::to_string(flips) + " triangles"), std::string::npos) << nitsche;
+
+  // A taper changes no shape: nothing folds, nothing is said.
+  Projection taper(test::readCase("taper10"));
+  taper.raw().filter->SetMethodToPaperHarmonic();
+  output = taper.run();
+  EXPECT_GT(report(output, "SweepReportNitscheRatio"), 1.0);
+  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+  EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+  EXPECT_TRUE(taper.events.warnings.empty());
+}
+
+TEST(SweepQuadProjector, PaperHarmonicWithAnyNumberOfHoles)
+{
+  for (int holes = 0; holes <= 3; ++holes)
+  {
+    const SweepGrids sweep = test::plateSweep(holes);
+    Projection projection(sweep);
+    projection.filter->SetMethodToPaperHarmonic();
+    vtkUnstructuredGrid* output = projection.run();
+    EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0) << holes;
+    EXPECT_EQ(output->GetFieldData()->HasArray("SweepReportNitscheRatio"), holes == 1);
+    const auto ends = columnEnds(sweep);
+    for (const auto& side : test::boundaryOf(sweep.sourceQuads))
+    {
+      EXPECT_EQ(
+        test::pointOf(output, side.first), ends.at(test::pointOf(sweep.sourceQuads, side.first)));
+    }
+    // Unlike the common domain, the target's map does not depend on the source's shape.
+    auto* target = vtkUnstructuredGrid::SafeDownCast(projection.filter->GetOutputDataObject(2));
+    EXPECT_EQ(test::textReport(target, "DiskMapDomain"), holes == 0 ? "Disk" : "Circles");
+  }
+}
+
+TEST(SweepQuadProjector, PaperHarmonicMakesItsOwnMaps)
+{
+  Projection projection(withMaps(test::readCase("taper10")));
+  projection.filter->SetMethodToPaperHarmonic();
+  projection.filter->SetDiskMapsToFromInput();
+  expectOneError(projection.filter, "PaperHarmonic makes disk maps of its own");
+}
+
+TEST(SweepQuadProjector, AFlipPlantedInAGivenMapIsFoundAndNamed)
+{
+  for (const int holes : { 0, 3 })
+  {
+    for (const bool onSource : { true, false })
+    {
+      SweepGrids sweep = withMaps(test::plateSweep(holes));
+      Grid tampered = Grid::New();
+      tampered->DeepCopy(onSource ? sweep.sourceSurface : sweep.targetSurface);
+      (onSource ? sweep.sourceSurface : sweep.targetSurface) = tampered;
+      vtkDataArray* disk = tampered->GetPointData()->GetArray("DiskCoordinates");
+      // One inner node is drawn across the far side of one of its triangles.
+      const auto boundary = test::boundaryOf(tampered);
+      vtkIdType first = -1;
+      std::array<double, 3> middle{};
+      const auto area = [&](vtkIdType cell) {
+        const Corners c = test::cornersOf(tampered, cell);
+        double p[3][3];
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          disk->GetTuple(c[i], p[i]);
+        }
+        return (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) -
+          (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+      };
+      const double sign = area(0) > 0.0 ? 1.0 : -1.0;
+      for (vtkIdType t = 0; first < 0 && t < tampered->GetNumberOfCells(); ++t)
+      {
+        const Corners c = test::cornersOf(tampered, t);
+        if (!boundary.count(c[0]) && !boundary.count(c[1]) && !boundary.count(c[2]))
+        {
+          double p[3][3];
+          for (std::size_t i = 0; i < 3; ++i)
+          {
+            disk->GetTuple(c[i], p[i]);
+          }
+          for (int k = 0; k < 2; ++k)
+          {
+            disk->SetComponent(c[0], k, 0.55 * (p[1][k] + p[2][k]) - 0.1 * p[0][k]);
+          }
+          first = t;
+        }
+      }
+      ASSERT_GE(first, 0);
+      vtkIdType flips = 0;
+      first = -1;
+      for (vtkIdType t = 0; t < tampered->GetNumberOfCells(); ++t)
+      {
+        if (!(sign * area(t) > 0.0))
+        {
+          ++flips;
+          first = first < 0 ? t : first;
+        }
+      }
+      ASSERT_GT(flips, 0);
+      for (const vtkIdType i : test::cornersOf(tampered, first))
+      {
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          middle[c] += test::pointOf(tampered, i)[c] / 3.0;
+        }
+      }
+
+      Projection projection(sweep);
+      projection.filter->SetDiskMapsToFromInput();
+      vtkUnstructuredGrid* output = projection.run();
+      EXPECT_EQ(report(output, "SweepReportFlipsAfter"), static_cast<double>(flips));
+      ASSERT_FALSE(projection.events.warnings.empty());
+      const std::string& warning = projection.events.warnings[0];
+      EXPECT_NE(
+        warning.find(std::to_string(flips) + " of " + std::to_string(tampered->GetNumberOfCells()) +
+          " triangles of the " + (onSource ? "source" : "target") + " surface are flipped"),
+        std::string::npos)
+        << warning;
+      char place[64];
+      std::snprintf(place, sizeof(place), "(%.5g", middle[0]);
+      EXPECT_NE(warning.find(place), std::string::npos) << warning << ", expected at " << place;
+    }
+  }
 }
 
 TEST(SweepQuadProjector, WithoutLinkingSidesTheChosenStartsAreReported)

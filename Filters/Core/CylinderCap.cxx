@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CylinderCap.h"
+
+#include "CapDisk.h"
+#include "DirichletSolver.h"
+
+namespace hexsweep
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+/// Whether the angles turn once in the given direction without standing still.
+bool isMonotone(const std::vector<double>& angles, double direction)
+{
+  for (std::size_t k = 0; k < angles.size(); ++k)
+  {
+    const double next = k + 1 < angles.size() ? angles[k + 1] : angles[0] + direction * 2.0 * Pi;
+    if (!((next - angles[k]) * direction > 0.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+CylinderCap measureCylinder(
+  const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops)
+{
+  const SparseMatrix laplacian = cotangentLaplacian(points, triangles);
+  CylinderCap result;
+  result.angle = windingAngle(points, triangles, laplacian, loops);
+  result.correction = conformalCorrection(laplacian, result.angle, loops[0][0]);
+
+  Eigen::VectorXd height = Eigen::VectorXd::Zero(points.rows());
+  for (const Index v : loops[1])
+  {
+    height[v] = 1.0;
+  }
+  height = DirichletSolver(laplacian, boundaryFlags(points.rows(), loops)).solve(height);
+  // The Dirichlet integral of the height is 2 pi / log(R / r); equation (2) is twice that.
+  result.logRadius = 4.0 * Pi / height.dot(laplacian * height);
+  return result;
+}
+
+std::vector<double> loopAngles(const CylinderCap& cylinder, const Loop& loop)
+{
+  std::vector<double> angles;
+  double angle = cylinder.angle.values[loop[0]];
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    if (k > 0)
+    {
+      angle += wrapAngle(cylinder.angle.values[loop[k]] - cylinder.angle.values[loop[k - 1]]);
+    }
+    angles.push_back(angle + cylinder.correction[loop[k]]);
+  }
+  return angles;
+}
+
+std::vector<double> monotoneLoopAngles(const CylinderCap& cylinder, const Loop& loop,
+  const std::vector<double>& lengths, double direction)
+{
+  std::vector<double> angles = loopAngles(cylinder, loop);
+  if (isMonotone(angles, direction))
+  {
+    return angles;
+  }
+  double shift = 0.0;
+  for (std::size_t k = 0; k < angles.size(); ++k)
+  {
+    shift += (angles[k] - direction * lengths[k]) / static_cast<double>(angles.size());
+  }
+  for (std::size_t k = 0; k < angles.size(); ++k)
+  {
+    angles[k] = direction * lengths[k] + shift;
+  }
+  return angles;
+}
+}

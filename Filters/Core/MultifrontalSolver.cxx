@@ -214,6 +214,10 @@ void MultifrontalSolver::extendAdd(const Front& front, Update& update, const Fro
 
 bool MultifrontalSolver::eliminate(const Front& front, Update& update)
 {
+  if (front.pivots == 0) // two parts that need no separator; Eigen divides by the number of pivots
+  {
+    return true;
+  }
   Eigen::Map<Matrix> panel(
     this->Values.data() + front.lower, front.pivots + front.borderSize, front.pivots);
   auto diagonal = panel.topRows(front.pivots);

@@ -79,10 +79,17 @@ public:
   {
   }
 
-  /// Rows of the source's triangles that are flipped.
-  std::vector<Index> flipped(double targetRadius) const
+  /// H2's inner radius, and the source's triangles that are flipped in it.
+  struct Image
   {
-    const Ring target = evenRing(targetRadius, this->Around, 2.0);
+    double radius;
+    std::vector<Index> flipped;
+  };
+
+  /// @param radius of the target; its cells are long, since H2 is all that matters of it.
+  Image mapTo(double radius) const
+  {
+    const Ring target = evenRing(radius, this->Around, static_cast<double>(this->Around) / 48.0);
     const Loop hole(target.hole.rbegin(), target.hole.rend());
     const CanonicalBoundary boundary = canonicalBoundary(target.mesh, { target.outer, hole },
       { std::vector<double>(target.outer.size()), std::vector<double>(hole.size()) });
@@ -95,29 +102,37 @@ public:
         boundary.places[1].row(this->Around - 1 - (j + this->Cells) % this->Around);
     }
     const PlanePoints disk = this->Solver.solve(values);
-    return domainTriangles(boundary.domain, disk, this->Source.mesh.triangles).flipped;
+    return { boundary.holes[0].radius,
+      domainTriangles(boundary.domain, disk, this->Source.mesh.triangles).flipped };
   }
 
-  /// The target radius at which the first triangle flips, to 3e-5 of it.
+  /// H2's inner radius at which the first triangle flips, to 5e-5 of it.
   double threshold(double low, double high) const
   {
-    EXPECT_TRUE(this->flipped(low).empty());
-    std::vector<Index> folded = this->flipped(high);
-    EXPECT_FALSE(folded.empty());
-    while (high - low > 3e-5 * low)
+    EXPECT_TRUE(this->mapTo(low).flipped.empty());
+    Image folded = this->mapTo(high);
+    EXPECT_FALSE(folded.flipped.empty());
+    while (high - low > 5e-5 * low)
     {
       const double middle = 0.5 * (low + high);
-      const std::vector<Index> there = this->flipped(middle);
-      (there.empty() ? low : high) = middle;
-      folded = there.empty() ? folded : there;
+      Image image = this->mapTo(middle);
+      if (image.flipped.empty())
+      {
+        low = middle;
+      }
+      else
+      {
+        high = middle;
+        folded = std::move(image);
+      }
     }
     // Points below Around are those of the hole.
-    for (const Index t : folded)
+    for (const Index t : folded.flipped)
     {
       EXPECT_LT(this->Source.mesh.triangles.row(t).minCoeff(), this->Around)
         << "folds away from the hole first";
     }
-    return 0.5 * (low + high);
+    return folded.radius;
   }
 
 private:
@@ -145,7 +160,7 @@ TEST_P(NitscheBound, IsWhereTheMapFoldsOnFineMeshes)
   for (const Index around : { 96, 192, 384 })
   {
     const PinnedRing ring(this->radius, around, around * this->degrees / 360);
-    const double found = ring.threshold(0.8 * this->bound, std::min(1.3 * this->bound, 0.98));
+    const double found = ring.threshold(0.93 * this->bound, 1.06 * this->bound);
     RecordProperty("threshold" + std::to_string(around), std::to_string(found));
     errors.push_back(found / this->bound - 1.0);
     EXPECT_LT(std::abs(errors.back()), 0.65 * 2.0 * Pi / static_cast<double>(around));

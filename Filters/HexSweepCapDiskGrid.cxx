@@ -2,6 +2,7 @@
 #include "HexSweepCapDiskGrid.h"
 
 #include "Core/Describe.h"
+#include "Core/MapDistortion.h"
 #include "Core/SurfaceTopology.h"
 
 #include <vtkCellData.h>
@@ -107,6 +108,28 @@ void copyAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
   to->AddArray(origin);
 }
 
+void writeMapReport(const CapDisk& cap, vtkFieldData* field)
+{
+  const MapDistortion distortion = mapDistortion(cap);
+  addReport(field, "SweepReportLoops", static_cast<Index>(cap.loops.size()));
+  addReport(field, "SweepReportDirichletEnergy", distortion.dirichletEnergy);
+  addReport(field, "SweepReportWorstAngleDistortion", distortion.worstAngle);
+  addReport(field, "SweepReportMeanAngleDistortion", distortion.meanAngle);
+  if (cap.rounds.empty())
+  {
+    return;
+  }
+  addReport(field, "SweepReportKoebeRounds", static_cast<Index>(cap.rounds.size()));
+  addReport(field, "SweepReportKoebeConverged", static_cast<Index>(cap.converged ? 1 : 0));
+  std::vector<double> changes;
+  for (std::size_t r = 1; r < cap.rounds.size(); ++r)
+  {
+    changes.push_back(cap.rounds[r].change);
+  }
+  addReport(field, "SweepReportKoebeChanges", changes);
+  addReport(field, "SweepReportCircularity", cap.circularity);
+}
+
 Points arrayPoints(vtkDataArray* array)
 {
   Points points(array->GetNumberOfTuples(), 3);
@@ -158,6 +181,7 @@ void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* o
       cap.holes[h].radius;
   }
   field->AddArray(vectors(HoleCirclesName, circles));
+  writeMapReport(cap, field);
 }
 
 CapDisk readCapDisk(vtkDataSet* data, const std::string& what)

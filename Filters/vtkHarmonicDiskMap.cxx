@@ -42,10 +42,10 @@ int vtkHarmonicDiskMap::RequestData(
     {
       return;
     }
-    if (this->HoleTreatment != ARC_LENGTH && this->HoleTreatment != FILLED)
+    if (this->HoleTreatment < KOEBE || this->HoleTreatment > FILLED)
     {
       throw InvalidInput("HoleTreatment " + std::to_string(this->HoleTreatment) +
-        " does not exist. Choose ArcLength (1) or Filled (2).");
+        " does not exist. Choose Koebe (0), ArcLength (1) or Filled (2).");
     }
     const SurfaceInput surface = readTriangles(input, "input surface");
     const hexsweep::Weights weights =
@@ -62,11 +62,17 @@ int vtkHarmonicDiskMap::RequestData(
     }
     else
     {
-      reportProgress(pipelineProgress(this), 0.1);
       cap = canonicalDiskMap({ mesh.points, orientFaces(mesh.triangles, "input surface") },
-        this->HoleTreatment == FILLED ? hexsweep::HoleTreatment::Filled
-                                      : hexsweep::HoleTreatment::ArcLength,
-        weights);
+        static_cast<hexsweep::HoleTreatment>(this->HoleTreatment), weights,
+        { this->Tolerance, this->MaximumIterations }, pipelineProgress(this, 0.1, 0.9));
+    }
+    if (!cap.converged)
+    {
+      vtkWarningMacro(
+        << "Koebe's iteration has not come to its Tolerance " << this->Tolerance << " in "
+        << this->MaximumIterations << " rounds; the last one still changed centres and radii by "
+        << cap.rounds.back().change
+        << " (sum of squares). Raise MaximumIterations, or improve the triangulation.");
     }
     const std::string flips = describeFlips(cap, "input surface");
     if (!flips.empty())
@@ -85,6 +91,8 @@ void vtkHarmonicDiskMap::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Weights: " << this->Weights << "\n";
   os << indent << "HoleTreatment: " << this->HoleTreatment << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "OutputDisk: " << this->OutputDisk << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";

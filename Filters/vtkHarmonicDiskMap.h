@@ -24,7 +24,13 @@
  * node, and on chords) and the cell array `OriginalCellIds`. Field data: `DiskMapDomain` (Disk,
  * Annulus or Circles), `HoleCircles` (centre x, y, radius), `SweepReportMethod` (the weights that
  * were used in the end), `SweepReportFlipsBefore` and `SweepReportFlipsAfter` (triangles flipped
- * with the wanted weights, and in the result), `SweepReportIgnoredCells` (vertices and lines).
+ * with the wanted weights, and in the result), `SweepReportIgnoredCells` (vertices and lines),
+ * `SweepReportLoops`, `SweepReportDirichletEnergy` (no less than the area of the image, which it
+ * equals for a conformal map), `SweepReportWorstAngleDistortion` and
+ * `SweepReportMeanAngleDistortion` (corners of triangles, in degrees). After Koebe's iteration also
+ * `SweepReportKoebeRounds`, `SweepReportKoebeConverged`, `SweepReportKoebeChanges` (a number a
+ * round from the second on, see Tolerance) and `SweepReportCircularity` (a number a loop: how far
+ * its image was from a circle, over the radius, before its nodes were put onto it).
  *
  * In an annulus the map is linear in (log r, angle) over each triangle; flips are counted there.
  * Flips that remain raise a warning.
@@ -52,6 +58,7 @@ public:
   /// Where holes go when a cap is mapped alone.
   enum HoleTreatmentType
   {
+    KOEBE = 0,      ///< the circles that the cap is conformal to
     ARC_LENGTH = 1, ///< circles; nodes on them by arc length
     FILLED = 2      ///< wherever the harmonic map of the cap with filled holes puts them
   };
@@ -65,12 +72,27 @@ public:
   ///@}
 
   ///@{
-  /// ARC_LENGTH by default. Without a partner only. Any number that is not named above is an error
+  /// KOEBE by default. Without a partner only. Any number that is not named above is an error
   /// when the filter runs.
   vtkSetMacro(HoleTreatment, int);
   vtkGetMacro(HoleTreatment, int);
+  void SetHoleTreatmentToKoebe() { this->SetHoleTreatment(KOEBE); }
   void SetHoleTreatmentToArcLength() { this->SetHoleTreatment(ARC_LENGTH); }
   void SetHoleTreatmentToFilled() { this->SetHoleTreatment(FILLED); }
+  ///@}
+
+  ///@{
+  /// Koebe's iteration ends when a round changes the centres and radii of the holes by no more
+  /// than this: the sum of the squares, in a disk of radius 1 (step 6 of the paper's section
+  /// 3.1.2). 1e-10 by default.
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /// It ends after this many rounds in any case; a warning says so. 20 by default.
+  vtkSetClampMacro(MaximumIterations, int, 1, 1000);
+  vtkGetMacro(MaximumIterations, int);
   ///@}
 
   ///@{
@@ -115,7 +137,9 @@ private:
   void operator=(const vtkHarmonicDiskMap&) = delete;
 
   int Weights = COTANGENT;
-  int HoleTreatment = ARC_LENGTH;
+  int HoleTreatment = KOEBE;
+  double Tolerance = 1e-10;
+  int MaximumIterations = 20;
   bool OutputDisk = false;
   double MatchTolerance = 1e-6;
   int OutputPointsPrecision = DEFAULT_PRECISION;

@@ -1,15 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CanonicalDiskMap.h"
 
+#include "ConformalAnnulus.h"
+#include "Errors.h"
 #include "SurfaceRefinement.h"
 #include "SurfaceTopology.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace hexsweep
 {
-CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights)
+namespace
 {
+/// Circles about the centres that the filled cap gives; the nodes on them by arc length.
+KoebeMap arcLengthCircles(const TriangleMesh& mesh, const std::vector<Loop>& loops, Weights weights)
+{
+  KoebeMap map;
+  map.places.push_back(
+    circlePoints({ { 0.0, 0.0 }, 1.0 }, arcLengthAngles(loopPoints(mesh.points, loops[0]))));
+  const FilledDiskMap filled = filledDiskMap(
+    surfaceLaplacian(mesh.points, mesh.triangles, weights), mesh.points, loops, map.places[0]);
+  map.holes = filled.holes;
+  separateCircles(map.holes);
+  for (std::size_t h = 0; h < map.holes.size(); ++h)
+  {
+    const Loop& loop = loops[h + 1];
+    map.places.push_back(circlePoints(map.holes[h],
+      holeAngles(arcLengthAngles(loopPoints(mesh.points, loop)), filled.disk, loop, map.holes[h])));
+  }
+  map.converged = true;
+  return map;
+}
+
+/// The annulus that the cap is conformal to, where that flips nothing.
+bool mapConformally(CapDisk& cap)
+{
+  const ConformalAnnulus annulus = conformalAnnulus(cap.mesh.points, cap.mesh.triangles, cap.loops);
+  const double start = annulus.angle[cap.loops[0][0]];
+  cap.domain = DiskDomain::Annulus;
+  cap.holes = { { { 0.0, 0.0 }, annulus.innerRadius } };
+  mapWithFallback(cap, Weights::Cotangent, [&](Weights) {
+    PlanePoints disk(cap.mesh.points.rows(), 2);
+    for (Index i = 0; i < disk.rows(); ++i)
+    {
+      const double angle = annulus.angle[i] - start;
+      disk.row(i) = std::pow(annulus.innerRadius, annulus.height[i]) *
+        Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+    }
+    return disk;
+  });
+  cap.rounds = { { cap.holes, std::numeric_limits<double>::infinity() } };
+  cap.circularity = { 0.0, 0.0 };
+  return cap.flipped.empty();
+}
+}
+
+CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
+  const KoebeLimits& limits, const Progress& progress)
+{
+  reportProgress(progress, 0.0);
   checkCap(checkSurface(mesh.triangles, mesh.points.rows(), "triangles of the cap"),
     "triangles of the cap");
   RefinedSurface refined = refineSurface(mesh, {}, true);
@@ -27,30 +78,34 @@ CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weig
     });
   std::rotate(cap.loops.begin(), outer, outer + 1);
 
-  std::vector<PlanePoints> places{ circlePoints(
-    { { 0.0, 0.0 }, 1.0 }, arcLengthAngles(loopPoints(points, cap.loops[0]))) };
-  const auto filled = [&](Weights w) {
-    return filledDiskMap(
-      surfaceLaplacian(points, cap.mesh.triangles, w), points, cap.loops, places[0]);
-  };
+  reportProgress(progress, 0.2);
   if (treatment == HoleTreatment::Filled || cap.loops.size() == 1)
   {
-    mapWithFallback(cap, weights, [&](Weights w) { return filled(w).disk; });
+    const PlanePoints outerPlaces =
+      circlePoints({ { 0.0, 0.0 }, 1.0 }, arcLengthAngles(loopPoints(points, cap.loops[0])));
+    mapWithFallback(cap, weights, [&](Weights w) {
+      return filledDiskMap(
+        surfaceLaplacian(points, cap.mesh.triangles, w), points, cap.loops, outerPlaces)
+        .disk;
+    });
     return cap;
   }
-
-  const FilledDiskMap first = filled(weights);
-  cap.domain = DiskDomain::Circles;
-  cap.holes = first.holes;
-  separateCircles(cap.holes);
-  for (std::size_t h = 0; h < cap.holes.size(); ++h)
+  const bool koebe = treatment == HoleTreatment::Koebe;
+  if (koebe && cap.loops.size() == 2 && weights == Weights::Cotangent && mapConformally(cap))
   {
-    const Loop& loop = cap.loops[h + 1];
-    places.push_back(circlePoints(cap.holes[h],
-      holeAngles(arcLengthAngles(loopPoints(points, loop)), first.disk, loop, cap.holes[h])));
+    return cap;
   }
+  KoebeMap map = koebe ? koebeMap(points, cap.mesh.triangles, cap.loops, limits,
+                           [&](double done) { return !progress || progress(0.2 + 0.6 * done); })
+                       : arcLengthCircles(cap.mesh, cap.loops, weights);
+  cap.domain = DiskDomain::Circles;
+  cap.holes = std::move(map.holes);
+  cap.rounds = std::move(map.rounds);
+  cap.circularity = std::move(map.circularity);
+  cap.converged = map.converged;
   mapWithFallback(
-    cap, weights, [&](Weights w) { return mapToPlane(cap.mesh, cap.loops, places, w); });
+    cap, weights, [&](Weights w) { return mapToPlane(cap.mesh, cap.loops, map.places, w); });
+  reportProgress(progress, 1.0);
   return cap;
 }
 }

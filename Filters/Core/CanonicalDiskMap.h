@@ -13,20 +13,28 @@ namespace hexsweep
 /// Where the holes of a cap go.
 enum class HoleTreatment
 {
+  Koebe,     ///< the circle domain that the cap is conformal to, see koebeMap()
   ArcLength, ///< circles about the centres that Filled gives; loops on them by arc length
   Filled     ///< wherever the harmonic map of the cap with filled holes puts them
 };
 
 /**
- * Maps a cap to the unit disk: the longest loop to the unit circle by arc length, beginning at
- * angle 0 with its smallest point id; the interior harmonic, equation (3).
+ * Maps a cap to the unit disk, its longest loop to the unit circle; the interior is harmonic,
+ * equation (3), with the nodes of the loops on the circles of the domain.
  *
- * Chords are split first (see refineSurface()). With one loop the two treatments are the same.
+ * Koebe: outer nodes at their conformal angles, the smallest point id at angle 0; an annulus is
+ * linear in (log r, angle), see DiskDomain. Otherwise, and with one loop: by arc length, beginning
+ * at angle 0 with the smallest point id.
  *
- * @param mesh consistently oriented.
- * @throw InvalidInput when the mesh is no cap (see checkCap()), SolverFailure.
+ * Chords are split first (see refineSurface()). With one loop the three treatments are the same.
+ *
+ * @param mesh   consistently oriented.
+ * @param limits of Koebe's iteration.
+ * @throw InvalidInput when the mesh is no cap (see checkCap()), or as koebeMap(); SolverFailure,
+ *        Aborted.
  */
-CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights);
+CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
+  const KoebeLimits& limits = {}, const Progress& progress = {});
 }
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "DiskDomain.h"
 #include "FilledDiskMap.h"
+#include "KoebeMap.h"
 
 namespace hexsweep
 {
@@ -27,6 +28,11 @@ struct CapDisk
   /// As flipped, before falling back from cotangent to mean value weights.
   Index flipsBefore = 0;
   double maximumBoundaryDistance = 0.0;
+  /// The record of Koebe's iteration; empty where it did not run.
+  std::vector<KoebeRound> rounds;
+  /// See KoebeMap; one number a loop, or empty.
+  std::vector<double> circularity;
+  bool converged = true; ///< whether the iteration came to its tolerance
 };
 
 /// Flags the nodes of all loops; n entries.

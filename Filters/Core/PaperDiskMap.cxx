@@ -104,16 +104,10 @@ CanonicalBoundary canonicalBoundary(const TriangleMesh& mesh, const std::vector<
   {
     return boundary;
   }
-  const FilledDiskMap filled = filledDiskMap(
-    cotangentLaplacian(mesh.points, mesh.triangles), mesh.points, loops, boundary.places[0]);
+  KoebeMap circles = koebeMap(mesh.points, mesh.triangles, loops);
   boundary.domain = DiskDomain::Circles;
-  boundary.holes = filled.holes;
-  separateCircles(boundary.holes);
-  for (std::size_t h = 0; h < boundary.holes.size(); ++h)
-  {
-    boundary.places.push_back(circlePoints(
-      boundary.holes[h], holeAngles(angles[h + 1], filled.disk, loops[h + 1], boundary.holes[h])));
-  }
+  boundary.holes = std::move(circles.holes);
+  boundary.places = std::move(circles.places);
   return boundary;
 }
 

@@ -55,8 +55,8 @@ struct CanonicalBoundary
 
 /**
  * The boundary of the domain H2: unit circle by arc length with one loop; the round annulus that
- * the cap is conformal to, nodes at their conformal angles, with two; with more, circles about the
- * centres that the filled cap gives, nodes by arc length.
+ * the cap is conformal to, nodes at their conformal angles, with two; with more, the circle domain
+ * that it is conformal to, see koebeMap().
  *
  * @param angles angles[p]: arc lengths along loop p, scaled to [0, 2 pi).
  */

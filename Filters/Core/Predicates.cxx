@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace hexsweep
 {
@@ -63,19 +62,9 @@ private:
 };
 }
 
-int orientation(
+int exactOrientation(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c)
 {
-  const double left = (a.x() - c.x()) * (b.y() - c.y());
-  const double right = (a.y() - c.y()) * (b.x() - c.x());
-  const double area = left - right;
-  constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
-  const double bound = (3.0 + 16.0 * unit) * unit * (std::abs(left) + std::abs(right));
-  if (std::abs(area) > bound)
-  {
-    return area > 0.0 ? 1 : -1;
-  }
-
   Expansion exact;
   const auto addProduct = [&exact](double u, double v) {
     const TwoTerms product = exactProduct(u, v);

@@ -2,8 +2,10 @@
 #include "QuadProjection.h"
 
 #include "AffineMap.h"
+#include "DomainTriangulation.h"
 #include "Errors.h"
 #include "TriangleSearch.h"
+#include "TriangleWalk.h"
 
 #include <Eigen/Geometry>
 
@@ -19,11 +21,15 @@ constexpr Index NodesPerReport = 4096;
 /// so this is rounding.
 constexpr double OutsideDistance = 1e-9;
 
-Eigen::RowVector3d pointOn(const TriangleMesh& mesh, Index triangle, const TrianglePoint& place)
+/// Finding the nodes on the source surface, of the work of both searches.
+constexpr double SourceShare = 0.8;
+
+Eigen::RowVector3d pointOn(
+  const TriangleMesh& mesh, Index triangle, const Eigen::RowVector3d& coordinates)
 {
-  return place.coordinates[0] * mesh.points.row(mesh.triangles(triangle, 0)) +
-    place.coordinates[1] * mesh.points.row(mesh.triangles(triangle, 1)) +
-    place.coordinates[2] * mesh.points.row(mesh.triangles(triangle, 2));
+  return coordinates[0] * mesh.points.row(mesh.triangles(triangle, 0)) +
+    coordinates[1] * mesh.points.row(mesh.triangles(triangle, 1)) +
+    coordinates[2] * mesh.points.row(mesh.triangles(triangle, 2));
 }
 
 /// Calls place(i) for each used node that is not fixed, in order, with progress.
@@ -50,6 +56,11 @@ void forEachInteriorNode(const std::vector<bool>& used, const std::vector<FixedN
   }
 }
 
+Progress part(const Progress& progress, double from, double to)
+{
+  return [=](double fraction) { return !progress || progress(from + (to - from) * fraction); };
+}
+
 ProjectedQuads startFrom(const PointsRef& quadPoints, const std::vector<FixedNode>& boundary)
 {
   ProjectedQuads result;
@@ -73,31 +84,38 @@ ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vecto
   }
   ProjectedQuads result = startFrom(quadPoints, boundary);
   const TriangleSearch onSource(source.mesh.points, source.mesh.triangles);
-  const DomainTriangles targetTriangles =
-    domainTriangles(target.domain, target.disk, target.mesh.triangles);
-  if (targetTriangles.triangle.empty())
+  const DomainTriangulation domain =
+    domainTriangulation(target.domain, target.disk, target.mesh.triangles);
+  TriangleWalk inTarget(domain.points, domain.triangles);
+  if (inTarget.empty())
   {
     throw InvalidInput("the disk map of the target surface has no triangle that is not flipped. "
                        "Use another map, or triangulate the cap again.");
   }
-  const TriangleSearch inTarget(targetTriangles.corners);
 
+  std::vector<Index> nodes;
+  PlanePoints inDisk(quadPoints.rows(), 2);
   Index lastSource = -1;
-  Index lastTarget = -1;
-  forEachInteriorNode(used, boundary, progress, [&](Index i) {
+  forEachInteriorNode(used, boundary, part(progress, 0.0, SourceShare), [&](Index i) {
     const TrianglePoint onCap = onSource.closest(quadPoints.row(i), lastSource);
     lastSource = onCap.triangle;
     result.maximumSourceDistance = std::max(result.maximumSourceDistance, onCap.distance);
-
-    const Eigen::RowVector2d inDisk = wrapDomainPoint(source.domain,
+    inDisk.row(static_cast<Index>(nodes.size())) = wrapDomainPoint(source.domain,
       onCap.coordinates *
         domainCorners(source.domain, source.disk, source.mesh.triangles.row(onCap.triangle)));
-    const TrianglePoint place = inTarget.closest({ inDisk.x(), inDisk.y(), 0.0 }, lastTarget);
-    lastTarget = place.triangle;
-    result.outside += place.distance > OutsideDistance ? 1 : 0;
-    result.points.row(i) = pointOn(
-      target.mesh, targetTriangles.triangle[static_cast<std::size_t>(place.triangle)], place);
+    nodes.push_back(i);
   });
+
+  const LocatedPoints places = inTarget.locate(
+    inDisk.topRows(static_cast<Index>(nodes.size())), part(progress, SourceShare, 1.0));
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+  {
+    result.points.row(nodes[k]) =
+      pointOn(target.mesh, domain.origin[static_cast<std::size_t>(places.triangles[k])],
+        places.coordinates.row(static_cast<Index>(k)));
+  }
+  result.outside = std::count_if(places.outside.begin(), places.outside.end(),
+    [](const OutsidePoint& point) { return point.distance > OutsideDistance; });
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -12,6 +13,9 @@ namespace hexsweep
 namespace
 {
 constexpr Index LeafSize = 4;
+
+/// Each level halves the triangles; ids have 63 bits.
+constexpr std::size_t MaximumDepth = 64;
 
 /// The distance to a box and that to a triangle in it are rounded differently: boxes that are
 /// farther by no more than rounding may hold the triangle of lower id.
@@ -152,13 +156,24 @@ void TriangleSearch::build()
     tasks.push_back({ middle, task.end, self });
     tasks.push_back({ task.begin, middle, -1 });
   }
+
+  // Triangles of one leaf lie together in memory, next to those of leaves near by.
+  this->Place.resize(this->Order.size());
+  Points sorted(this->Corners.rows(), 3);
+  for (Index i = 0; i < count; ++i)
+  {
+    const Index t = this->Order[static_cast<std::size_t>(i)];
+    this->Place[static_cast<std::size_t>(t)] = i;
+    sorted.middleRows<3>(3 * i) = this->Corners.middleRows<3>(3 * t);
+  }
+  this->Corners = std::move(sorted);
 }
 
-TrianglePoint TriangleSearch::onTriangle(const Eigen::RowVector3d& p, Index triangle) const
+TrianglePoint TriangleSearch::onTriangle(const Eigen::RowVector3d& p, Index place) const
 {
-  TrianglePoint found = closestPointOnTriangle(p, this->Corners.row(3 * triangle),
-    this->Corners.row(3 * triangle + 1), this->Corners.row(3 * triangle + 2));
-  found.triangle = triangle;
+  TrianglePoint found = closestPointOnTriangle(p, this->Corners.row(3 * place),
+    this->Corners.row(3 * place + 1), this->Corners.row(3 * place + 2));
+  found.triangle = this->Order[static_cast<std::size_t>(place)];
   return found;
 }
 
@@ -168,21 +183,22 @@ TrianglePoint TriangleSearch::closest(const Eigen::RowVector3d& p, Index start) 
   best.distance = std::numeric_limits<double>::infinity();
   if (start >= 0)
   {
-    best = this->onTriangle(p, start);
+    best = this->onTriangle(p, this->Place[static_cast<std::size_t>(start)]);
   }
   const auto boxDistance = [&](Index node) {
     const Node& n = this->Nodes[static_cast<std::size_t>(node)];
     return squaredDistanceToBox(p, n.low, n.high);
   };
-  std::vector<std::pair<double, Index>> stack;
+  // Halves wait here, one a level.
+  std::array<std::pair<double, Index>, MaximumDepth> stack;
+  std::size_t waiting = 0;
   if (!this->Order.empty())
   {
-    stack.emplace_back(boxDistance(0), 0);
+    stack[waiting++] = { boxDistance(0), 0 };
   }
-  while (!stack.empty())
+  while (waiting > 0)
   {
-    const auto [distance2, self] = stack.back();
-    stack.pop_back();
+    const auto [distance2, self] = stack[--waiting];
     if (distance2 > TieSlack * best.distance * best.distance)
     {
       continue;
@@ -192,7 +208,7 @@ TrianglePoint TriangleSearch::closest(const Eigen::RowVector3d& p, Index start) 
     {
       for (Index i = node.begin; i < node.end; ++i)
       {
-        const TrianglePoint found = this->onTriangle(p, this->Order[static_cast<std::size_t>(i)]);
+        const TrianglePoint found = this->onTriangle(p, i);
         // Some triangle is found even for a point that is not finite.
         if (best.triangle < 0 || found.distance < best.distance ||
           (found.distance == best.distance && found.triangle < best.triangle))
@@ -208,8 +224,8 @@ TrianglePoint TriangleSearch::closest(const Eigen::RowVector3d& p, Index start) 
     {
       std::swap(nearer, farther);
     }
-    stack.push_back(farther);
-    stack.push_back(nearer);
+    stack[waiting++] = farther;
+    stack[waiting++] = nearer;
   }
   return best;
 }

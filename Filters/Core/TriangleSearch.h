@@ -48,10 +48,11 @@ private:
     Index right; // right child; the left one follows its parent; 0 in a leaf
   };
   void build();
-  TrianglePoint onTriangle(const Eigen::RowVector3d& p, Index triangle) const;
+  TrianglePoint onTriangle(const Eigen::RowVector3d& p, Index place) const;
 
-  Points Corners;
-  std::vector<Index> Order;
+  Points Corners;           // in the order of the leaves
+  std::vector<Index> Order; // ids of the triangles
+  std::vector<Index> Place; // of each id in Order
   std::vector<Node> Nodes;
 };
 }

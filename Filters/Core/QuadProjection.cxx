@@ -4,6 +4,7 @@
 #include "AffineMap.h"
 #include "DomainTriangulation.h"
 #include "Errors.h"
+#include "HilbertOrder.h"
 #include "TriangleSearch.h"
 #include "TriangleWalk.h"
 
@@ -15,7 +16,7 @@ namespace hexsweep
 {
 namespace
 {
-constexpr Index NodesPerReport = 4096;
+constexpr std::size_t NodesPerReport = 4096;
 
 /// A point of the disk counts as outside all triangles beyond this distance; the disk's size is 1,
 /// so this is rounding.
@@ -32,27 +33,58 @@ Eigen::RowVector3d pointOn(
     coordinates[2] * mesh.points.row(mesh.triangles(triangle, 2));
 }
 
-/// Calls place(i) for each used node that is not fixed, in order, with progress.
-template <typename Place>
-void forEachInteriorNode(const std::vector<bool>& used, const std::vector<FixedNode>& boundary,
-  const Progress& progress, const Place& place)
+/// Used nodes that are not fixed, near ones one after the other: along Hilbert's curve in the plane
+/// of the two longest sides of their box.
+std::vector<Index> interiorNodes(
+  const PointsRef& points, const std::vector<bool>& used, const std::vector<FixedNode>& boundary)
 {
   std::vector<bool> open = used;
   for (const FixedNode& node : boundary)
   {
     open[static_cast<std::size_t>(node.point)] = false;
   }
-  const Index n = static_cast<Index>(used.size());
-  for (Index i = 0; i < n; ++i)
+  std::vector<Index> nodes;
+  Eigen::AlignedBox3d box;
+  for (Index i = 0; i < points.rows(); ++i)
   {
-    if (i % NodesPerReport == 0)
-    {
-      reportProgress(progress, static_cast<double>(i) / static_cast<double>(n));
-    }
     if (open[static_cast<std::size_t>(i)])
     {
-      place(i);
+      nodes.push_back(i);
+      box.extend(points.row(i).transpose());
     }
+  }
+  if (nodes.empty())
+  {
+    return nodes;
+  }
+  Index shortest = 0;
+  box.sizes().minCoeff(&shortest);
+  PlanePoints plane(static_cast<Index>(nodes.size()), 2);
+  for (Index k = 0; k < plane.rows(); ++k)
+  {
+    const auto point = points.row(nodes[static_cast<std::size_t>(k)]);
+    plane.row(k) << point[(shortest + 1) % 3], point[(shortest + 2) % 3];
+  }
+  std::vector<Index> ordered;
+  ordered.reserve(nodes.size());
+  for (const CurvePlace& place : hilbertOrder(HilbertCurve(plane), plane))
+  {
+    ordered.push_back(nodes[place.id]);
+  }
+  return ordered;
+}
+
+/// Calls place(k, nodes[k]) for each node, in order, with progress.
+template <typename Place>
+void forEachNode(const std::vector<Index>& nodes, const Progress& progress, const Place& place)
+{
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+  {
+    if (k % NodesPerReport == 0)
+    {
+      reportProgress(progress, static_cast<double>(k) / static_cast<double>(nodes.size()));
+    }
+    place(static_cast<Index>(k), nodes[k]);
   }
 }
 
@@ -93,21 +125,19 @@ ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vecto
                        "Use another map, or triangulate the cap again.");
   }
 
-  std::vector<Index> nodes;
-  PlanePoints inDisk(quadPoints.rows(), 2);
+  const std::vector<Index> nodes = interiorNodes(quadPoints, used, boundary);
+  PlanePoints inDisk(static_cast<Index>(nodes.size()), 2);
   Index lastSource = -1;
-  forEachInteriorNode(used, boundary, part(progress, 0.0, SourceShare), [&](Index i) {
+  forEachNode(nodes, part(progress, 0.0, SourceShare), [&](Index k, Index i) {
     const TrianglePoint onCap = onSource.closest(quadPoints.row(i), lastSource);
     lastSource = onCap.triangle;
     result.maximumSourceDistance = std::max(result.maximumSourceDistance, onCap.distance);
-    inDisk.row(static_cast<Index>(nodes.size())) = wrapDomainPoint(source.domain,
+    inDisk.row(k) = wrapDomainPoint(source.domain,
       onCap.coordinates *
         domainCorners(source.domain, source.disk, source.mesh.triangles.row(onCap.triangle)));
-    nodes.push_back(i);
   });
 
-  const LocatedPoints places = inTarget.locate(
-    inDisk.topRows(static_cast<Index>(nodes.size())), part(progress, SourceShare, 1.0));
+  const LocatedPoints places = inTarget.locate(inDisk, part(progress, SourceShare, 1.0));
   for (std::size_t k = 0; k < nodes.size(); ++k)
   {
     result.points.row(nodes[k]) =
@@ -136,7 +166,7 @@ ProjectedQuads projectAffinely(const PointsRef& quadPoints, const std::vector<bo
   const Points mapped = map.apply(quadPoints);
   const TriangleSearch onTarget(target.points, target.triangles);
   Index last = -1;
-  forEachInteriorNode(used, boundary, progress, [&](Index i) {
+  forEachNode(interiorNodes(mapped, used, boundary), progress, [&](Index, Index i) {
     const TrianglePoint place = onTarget.closest(mapped.row(i), last);
     last = place.triangle;
     // Down to the surface along its normal only: a node that the affine map puts into a hole or

@@ -3,7 +3,6 @@
 
 #include "Errors.h"
 #include "Predicates.h"
-#include "TriangleSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +24,6 @@ constexpr int LongestWalk = 128;
 /// Which of two edges is crossed where both part the triangle from the point: bits by chance, so
 /// that a walk in a circle does not close.
 constexpr std::uint32_t Choices = 0x9e3779b9u;
-
-/// The distance to a box and that to a triangle in it are rounded differently: boxes that are
-/// farther by no more than rounding may hold the triangle of lower id.
-constexpr double TieSlack = 1.0 + 1e-9;
 
 Eigen::RowVector2d rowOf(const Vertex& p)
 {
@@ -53,26 +48,9 @@ double area(const Vertex& u, const Vertex& v, const Exactly& exactly)
     : static_cast<double>(exactly());
 }
 
-bool contains(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& q)
-{
-  const Eigen::RowVector2d p = rowOf(q);
-  return orientation(rowOf(a), rowOf(b), p) >= 0 && orientation(rowOf(b), rowOf(c), p) >= 0 &&
-    orientation(rowOf(c), rowOf(a), p) >= 0;
-}
-
 double squaredLength(const Vertex& u)
 {
   return u.x * u.x + u.y * u.y;
-}
-
-PlaneBox boxOf(const Vertex& a, const Vertex& b, const Vertex& c)
-{
-  PlaneBox box;
-  for (const Vertex* p : { &a, &b, &c })
-  {
-    box.extend(p->x, p->y);
-  }
-  return box;
 }
 
 /// What walk() returns for a point inside of a triangle: not one of its sides 0, 1, 2.
@@ -86,12 +64,6 @@ bool isInside(std::uint32_t arrived)
 std::uint32_t next(std::uint32_t corner)
 {
   return corner == 2 ? 0 : corner + 1;
-}
-
-TrianglePoint nearestOn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& q)
-{
-  return closestPointOnTriangle(
-    { q.x, q.y, 0.0 }, { a.x, a.y, 0.0 }, { b.x, b.y, 0.0 }, { c.x, c.y, 0.0 });
 }
 
 /// Barycentric coordinates of a point that lies in the triangle.
@@ -109,7 +81,7 @@ Eigen::RowVector3d coordinatesIn(const Vertex& a, const Vertex& b, const Vertex&
   {
     return { atA / sum, atB / sum, atC / sum };
   }
-  return nearestOn(a, b, c, q).coordinates;
+  return nearestPointOn(a, b, c, q).coordinates;
 }
 }
 
@@ -242,69 +214,29 @@ std::uint32_t TriangleWalk::lowestAround(std::uint32_t side, const Vertex& q)
   return lowest;
 }
 
-/// The lowest triangle that the point lies in, or None.
-std::uint32_t TriangleWalk::search(const Vertex& q)
-{
-  std::uint32_t found = None;
-  this->boxes().visitNear(q.x, q.y, 0.0, [&](std::size_t i) {
-    const std::uint32_t t = static_cast<std::uint32_t>(i);
-    const Triangle& triangle = this->Mesh.triangle(t);
-    if ((found == None || triangle.id < this->Mesh.triangle(found).id) &&
-      contains(this->Mesh.point(triangle.corners[0]), this->Mesh.point(triangle.corners[1]),
-        this->Mesh.point(triangle.corners[2]), q))
-    {
-      found = t;
-    }
-    return 0.0;
-  });
-  return found;
-}
-
-std::uint32_t TriangleWalk::nearest(const Vertex& q)
-{
-  std::uint32_t found = None;
-  double distance = std::numeric_limits<double>::infinity();
-  this->boxes().visitNear(q.x, q.y, distance, [&](std::size_t i) {
-    const std::uint32_t t = static_cast<std::uint32_t>(i);
-    const Triangle& triangle = this->Mesh.triangle(t);
-    const double own = nearestOn(this->Mesh.point(triangle.corners[0]),
-      this->Mesh.point(triangle.corners[1]), this->Mesh.point(triangle.corners[2]), q)
-                         .distance;
-    // Some triangle is found even for a point that is not finite.
-    if (found == None || own < distance ||
-      (own == distance && triangle.id < this->Mesh.triangle(found).id))
-    {
-      found = t;
-      distance = own;
-    }
-    return TieSlack * distance * distance;
-  });
-  return found;
-}
-
 bool TriangleWalk::inFlipped(const Vertex& q) const
 {
   bool found = false;
   this->FlippedBoxes.visitNear(q.x, q.y, 0.0, [&](std::size_t i) {
     const Vertex* corners = &this->FlippedCorners[3 * i];
-    found = found || contains(corners[0], corners[1], corners[2], q);
+    found = found || holdsPoint(corners[0], corners[1], corners[2], q);
     return 0.0;
   });
   return found;
 }
 
+std::uint32_t TriangleWalk::search(const Vertex& q)
+{
+  return lowestTriangleAt(this->Mesh, this->boxes(), q);
+}
+
 const BoxTree& TriangleWalk::boxes()
 {
-  if (!this->HasBoxes)
+  if (!this->Boxes)
   {
-    this->Boxes = BoxTree(this->Mesh.numberOfTriangles(), [this](std::size_t i) {
-      const Triangle& triangle = this->Mesh.triangle(static_cast<std::uint32_t>(i));
-      return boxOf(this->Mesh.point(triangle.corners[0]), this->Mesh.point(triangle.corners[1]),
-        this->Mesh.point(triangle.corners[2]));
-    });
-    this->HasBoxes = true;
+    this->Boxes = triangleBoxes(this->Mesh);
   }
-  return this->Boxes;
+  return *this->Boxes;
 }
 
 TriangleWalk::Place TriangleWalk::locate(const Vertex& q, std::uint32_t start)
@@ -324,7 +256,7 @@ TriangleWalk::Place TriangleWalk::locate(const Vertex& q, std::uint32_t start)
   const bool outside = t == None;
   if (outside)
   {
-    t = this->nearest(q);
+    t = nearestTriangle(this->Mesh, this->boxes(), q);
   }
   const Triangle& triangle = this->Mesh.triangle(t);
   const Vertex& a = this->Mesh.point(triangle.corners[0]);
@@ -332,7 +264,7 @@ TriangleWalk::Place TriangleWalk::locate(const Vertex& q, std::uint32_t start)
   const Vertex& c = this->Mesh.point(triangle.corners[2]);
   if (outside)
   {
-    const TrianglePoint place = nearestOn(a, b, c, q);
+    const TrianglePoint place = nearestPointOn(a, b, c, q);
     return { t, true, place.distance, place.coordinates };
   }
   return { t, false, 0.0, coordinatesIn(a, b, c, q) };

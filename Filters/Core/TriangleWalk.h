@@ -6,8 +6,9 @@
 #ifndef hexsweep_TriangleWalk_h
 #define hexsweep_TriangleWalk_h
 
-#include "BoxTree.h"
-#include "PlaneTriangulation.h"
+#include "PlaneTriangleSearch.h"
+
+#include <optional>
 
 namespace hexsweep
 {
@@ -79,13 +80,11 @@ private:
   std::uint32_t walk(std::uint32_t start, const Vertex& q) const;
   std::uint32_t lowestAround(std::uint32_t side, const Vertex& q);
   std::uint32_t search(const Vertex& q);
-  std::uint32_t nearest(const Vertex& q);
   bool inFlipped(const Vertex& q) const;
   const BoxTree& boxes();
 
   PlaneTriangulation Mesh;
-  BoxTree Boxes; // made when a walk fails for the first time
-  bool HasBoxes = false;
+  std::optional<BoxTree> Boxes;       // made when a walk fails for the first time
   std::vector<Vertex> FlippedCorners; // three a flipped triangle, positively oriented
   BoxTree FlippedBoxes;
 };

@@ -2,12 +2,14 @@
 #include "vtkHarmonicDiskMap.h"
 
 #include "Core/CanonicalDiskMap.h"
+#include "Core/LoopMatching.h"
 #include "Core/SurfaceTopology.h"
 #include "Core/SweepProjection.h"
 #include "HexSweepBridge.h"
 #include "HexSweepCapDiskGrid.h"
 
 #include <vtkDataSet.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -52,13 +54,20 @@ int vtkHarmonicDiskMap::RequestData(
       this->Weights == COTANGENT ? hexsweep::Weights::Cotangent : hexsweep::Weights::MeanValue;
     const TriangleMesh mesh{ surface.points, surface.faces };
     CapDisk cap;
+    std::vector<double> startFractions;
     if (vtkDataSet* partner = inputDataSet(inputs, 1))
     {
       const SurfaceInput other = readTriangles(partner, "partner surface");
-      cap = mapLinkedCaps(mesh, { other.points, other.faces },
+      LinkedDisks linked = mapLinkedCaps(mesh, { other.points, other.faces },
         readOptionalQuads(inputDataSet(inputs, 2), "linking sides"), weights, this->MatchTolerance,
-        pipelineProgress(this, 0.1, 0.9))
-              .first;
+        pipelineProgress(this, 0.1, 0.9));
+      cap = std::move(linked.first);
+      startFractions = std::move(linked.startFractions);
+      const std::string doubts = describeDoubts(linked.doubts);
+      if (!doubts.empty())
+      {
+        vtkWarningMacro(<< doubts);
+      }
     }
     else
     {
@@ -81,6 +90,11 @@ int vtkHarmonicDiskMap::RequestData(
     }
     writeCapDisk(cap, surface, input, this->OutputPointsPrecision, this->OutputDisk,
       vtkUnstructuredGrid::GetData(outputs));
+    if (!startFractions.empty())
+    {
+      addReport(vtkUnstructuredGrid::GetData(outputs)->GetFieldData(), "SweepReportLoopStarts",
+        startFractions);
+    }
     reportProgress(pipelineProgress(this), 1.0);
   });
 }

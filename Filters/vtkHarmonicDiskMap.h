@@ -17,7 +17,7 @@
  * - 0 Input: the cap.
  * - 1 Partner (optional): the other cap.
  * - 2 LinkingSides (optional, used with a partner): structured quads between the two caps. Without
- *   them loops are matched by shape.
+ *   them loops are matched by shape; close calls raise a warning.
  *
  * Output: the triangles of the cap with the point arrays `DiskCoordinates` (3 components, z = 0),
  * `OriginalPointIds` (-1 on points that were added at the end: where the partner has a boundary
@@ -30,7 +30,8 @@
  * `SweepReportMeanAngleDistortion` (corners of triangles, in degrees). After Koebe's iteration also
  * `SweepReportKoebeRounds`, `SweepReportKoebeConverged`, `SweepReportKoebeChanges` (a number a
  * round from the second on, see Tolerance) and `SweepReportCircularity` (a number a loop: how far
- * its image was from a circle, over the radius, before its nodes were put onto it).
+ * its image was from a circle, over the radius, before its nodes were put onto it). With
+ * a partner but no linking sides `SweepReportLoopStarts` (see vtkSweepQuadProjector).
  *
  * In an annulus the map is linear in (log r, angle) over each triangle; flips are counted there.
  * Flips that remain raise a warning.

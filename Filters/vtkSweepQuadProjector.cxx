@@ -2,6 +2,7 @@
 #include "vtkSweepQuadProjector.h"
 
 #include "Core/Describe.h"
+#include "Core/LoopMatching.h"
 #include "Core/SweepProjection.h"
 #include "HexSweepBridge.h"
 #include "HexSweepCapDiskGrid.h"
@@ -235,6 +236,11 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   if (!nitsche.empty())
   {
     vtkWarningMacro(<< nitsche);
+  }
+  const std::string doubts = describeDoubts(projection.doubts);
+  if (!doubts.empty())
+  {
+    vtkWarningMacro(<< doubts);
   }
   const std::string inverted = describeInverted(projection, input.source.quads);
   if (!inverted.empty())

@@ -20,8 +20,10 @@
  * - 0 SourceQuads: all-quad mesh of the source cap, consistently oriented.
  * - 1 TargetSurface: the target cap (polygons and strips are triangulated).
  * - 2 LinkingSides (optional): structured quads between the caps; the first ring's nodes are the
- *   boundary nodes of the source quads. Without them loops are matched by shape and arc length;
- *   `SweepReportLoopStarts` then tells the start that was chosen on each loop.
+ *   boundary nodes of the source quads. Without them loops are matched by shape, corner on corner
+ *   where that fits and by arc length in between; `SweepReportLoopStarts` then tells where each
+ *   loop of the source begins on the target (a fraction of the length of the target's loop from its
+ *   first node), and close calls, which may twist the sweep, raise a warning.
  * - 3 SourceSurface (optional): triangulation of the source cap; the quads' own otherwise.
  *
  * Outputs:

@@ -2,74 +2,35 @@
 #include "LoopMatching.h"
 
 #include "AffineMap.h"
+#include "Assignment.h"
+#include "Describe.h"
 #include "Errors.h"
 #include "FilledDiskMap.h"
+#include "LoopCorrespondence.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
 
 namespace hexsweep
 {
 namespace
 {
-/// A closed polygon that is asked for places by arc length.
-class Polygon
-{
-public:
-  explicit Polygon(Points nodes)
-    : Nodes(std::move(nodes))
-    , Length(static_cast<std::size_t>(this->Nodes.rows()) + 1, 0.0)
-  {
-    for (Index i = 0; i < this->Nodes.rows(); ++i)
-    {
-      const Index next = (i + 1) % this->Nodes.rows();
-      this->Length[static_cast<std::size_t>(i) + 1] = this->Length[static_cast<std::size_t>(i)] +
-        (this->Nodes.row(next) - this->Nodes.row(i)).norm();
-    }
-  }
-  const Points& nodes() const { return this->Nodes; }
-  double length() const { return this->Length.back(); }
-  double fraction(Index node) const
-  {
-    return this->Length[static_cast<std::size_t>(node)] / this->length();
-  }
-  /// Centre of the curve (not of its nodes, which may be dense in places).
-  Eigen::RowVector3d center() const
-  {
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    for (Index i = 0; i < this->Nodes.rows(); ++i)
-    {
-      const Index next = (i + 1) % this->Nodes.rows();
-      const double edge =
-        this->Length[static_cast<std::size_t>(i) + 1] - this->Length[static_cast<std::size_t>(i)];
-      sum += 0.5 * edge * (this->Nodes.row(i) + this->Nodes.row(next));
-    }
-    return sum / this->length();
-  }
-  /// @param fraction of the whole length, any real number.
-  Eigen::RowVector3d at(double fraction) const
-  {
-    const double along = (fraction - std::floor(fraction)) * this->length();
-    const auto above = std::upper_bound(this->Length.begin() + 1, this->Length.end() - 1, along);
-    const std::size_t edge = static_cast<std::size_t>(above - this->Length.begin()) - 1;
-    const double edgeLength = this->Length[edge + 1] - this->Length[edge];
-    const double t = edgeLength > 0.0 ? (along - this->Length[edge]) / edgeLength : 0.0;
-    const Index a = static_cast<Index>(edge);
-    return (1.0 - t) * this->Nodes.row(a) + t * this->Nodes.row((a + 1) % this->Nodes.rows());
-  }
+constexpr double Pi = 3.14159265358979323846;
+constexpr std::size_t DoubtsToName = 10;
+/// A line whose angle to a plane has a smaller sine lies in it, as far as can be said.
+constexpr double InPlane = 0.1;
+/// Cosine below which two vectors are opposite: the smallest rotation has no axis of its own.
+constexpr double Opposite = -0.99;
+/// Centres that are closer, in lengths of the outer loop, give no direction.
+constexpr double SameCenter = 1e-3;
+/// Another hole whose distance is less than this many times that of the partner is as likely.
+constexpr double NearlyAsClose = 1.5;
 
-private:
-  Points Nodes;
-  std::vector<double> Length;
-};
-
-std::vector<Polygon> polygons(const PointsRef& points, const std::vector<Loop>& loops)
+std::vector<ClosedPolygon> polygons(const PointsRef& points, const std::vector<Loop>& loops)
 {
-  std::vector<Polygon> result;
+  std::vector<ClosedPolygon> result;
   for (const Loop& loop : loops)
   {
     result.emplace_back(loopPoints(points, loop));
@@ -77,126 +38,232 @@ std::vector<Polygon> polygons(const PointsRef& points, const std::vector<Loop>& 
   return result;
 }
 
-std::size_t longest(const std::vector<Polygon>& loops)
+std::size_t longest(const std::vector<ClosedPolygon>& loops)
 {
   return static_cast<std::size_t>(
     std::max_element(loops.begin(), loops.end(),
-      [](const Polygon& a, const Polygon& b) { return a.length() < b.length(); }) -
+      [](const ClosedPolygon& a, const ClosedPolygon& b) { return a.length() < b.length(); }) -
     loops.begin());
 }
 
-/// The supposed motion of the source: about its outer loop's centre, turned and scaled.
-struct Motion
+/// How the target runs and is turned against the source.
+struct Direction
 {
-  Eigen::RowVector3d from;
-  Eigen::RowVector3d to;
-  Eigen::Matrix3d linear;
-  Eigen::RowVector3d operator()(const Eigen::RowVector3d& p) const
-  {
-    return this->to + (this->linear * (p - this->from).transpose()).transpose();
-  }
+  bool reversed = false; ///< the target's loops run the other way
+  bool isGuess = false;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
-/// Pairs all holes, the nearest ones first.
-std::vector<std::size_t> pairLoops(
-  const std::vector<Polygon>& source, const std::vector<Polygon>& target, const Motion& motion)
+/// A direction about which a loop runs, or zero for one without area.
+Eigen::Vector3d normalOf(const ClosedPolygon& loop)
 {
-  std::vector<std::size_t> partner(source.size(), target.size());
-  std::vector<bool> taken(target.size(), false);
-  partner[longest(source)] = longest(target);
-  taken[longest(target)] = true;
-  std::vector<std::tuple<double, std::size_t, std::size_t>> distances;
-  for (std::size_t s = 0; s < source.size(); ++s)
-  {
-    for (std::size_t t = 0; t < target.size(); ++t)
-    {
-      distances.emplace_back((motion(source[s].center()) - target[t].center()).norm(), s, t);
-    }
-  }
-  std::sort(distances.begin(), distances.end());
-  for (const auto& [distance, s, t] : distances)
-  {
-    if (partner[s] == target.size() && !taken[t])
-    {
-      partner[s] = t;
-      taken[t] = true;
-    }
-  }
-  return partner;
+  const Eigen::Vector3d area = areaVector(loop.nodes()).transpose();
+  const bool flat = area.norm() > 1e-6 * loop.length() * loop.length();
+  return flat ? area.normalized() : Eigen::Vector3d::Zero();
 }
 
-/// The start on the target loop with the least sum of squared distances, as a fraction.
-double bestStart(const Polygon& source, const Polygon& target, const Motion& motion)
+Direction findDirection(const ClosedPolygon& source, const ClosedPolygon& target)
 {
-  const Index n = source.nodes().rows();
-  Points moved(n, 3);
-  const Eigen::RowVector3d shift = target.center() - motion(source.center());
-  for (Index i = 0; i < n; ++i)
+  const Eigen::Vector3d from = normalOf(source);
+  Eigen::Vector3d to = normalOf(target);
+  Direction direction;
+  if (from.isZero() || to.isZero())
   {
-    moved.row(i) = motion(source.nodes().row(i)) + shift;
+    direction.isGuess = true;
+    return direction;
   }
-  double least = std::numeric_limits<double>::infinity();
-  double best = 0.0;
-  for (Index start = 0; start < target.nodes().rows(); ++start)
+  const Eigen::Vector3d line = (target.center() - source.center()).transpose();
+  const bool hasLine = line.norm() > SameCenter * (source.length() + target.length());
+  const double rise = hasLine ? from.dot(line.normalized()) : 0.0;
+  const double targetRise = hasLine ? to.dot(line.normalized()) : 0.0;
+  if (std::abs(rise) > InPlane && std::abs(targetRise) > InPlane)
   {
-    double sum = 0.0;
-    for (Index i = 0; i < n && sum < least; ++i)
+    direction.reversed = rise * targetRise < 0.0;
+  }
+  else
+  {
+    const bool sideBySide = hasLine && std::abs(rise) <= InPlane &&
+      std::abs(targetRise) <= InPlane && std::abs(from.dot(to)) > std::sqrt(0.5);
+    direction.reversed = (from.dot(to) < 0.0) != sideBySide;
+    direction.isGuess = hasLine;
+  }
+  to *= direction.reversed ? -1.0 : 1.0;
+  const Eigen::Vector3d axis = from.cross(line);
+  direction.rotation = from.dot(to) < Opposite && axis.norm() > InPlane * line.norm()
+    ? Eigen::AngleAxisd(
+        std::atan2(from.cross(to).dot(axis.normalized()), from.dot(to)), axis.normalized())
+        .toRotationMatrix()
+    : Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  return direction;
+}
+
+/// The other way round from the same first node.
+ClosedPolygon reversed(const ClosedPolygon& loop)
+{
+  Points nodes = loop.nodes();
+  nodes.bottomRows(nodes.rows() - 1).colwise().reverseInPlace();
+  return ClosedPolygon(std::move(nodes));
+}
+
+Points placesOn(const ClosedPolygon& target, const LoopCorrespondence& correspondence)
+{
+  Points places(static_cast<Index>(correspondence.places.size()), 3);
+  for (std::size_t i = 0; i < correspondence.places.size(); ++i)
+  {
+    places.row(static_cast<Index>(i)) = target.at(correspondence.places[i]);
+  }
+  return places;
+}
+
+/// The centre, to a millionth of the loop's length or so.
+std::string describeCenter(const ClosedPolygon& loop)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(loop.length())) - 5.0);
+  const Eigen::RowVector3d center =
+    (loop.center() / unit).array().round().matrix() * unit + Eigen::RowVector3d::Zero();
+  return describe(center);
+}
+
+std::string nameOf(const ClosedPolygon& loop, std::size_t number, bool outer)
+{
+  return "loop " + std::to_string(number) + " (" + (outer ? "the outer one" : "a hole") +
+    ", around " + describeCenter(loop) + ")";
+}
+
+/// Distances of holes: of their centres after the motion, and of the circles of their lengths.
+Eigen::MatrixXd squaredDistances(const std::vector<ClosedPolygon>& source,
+  const std::vector<std::size_t>& sourceHoles, const std::vector<ClosedPolygon>& target,
+  const std::vector<std::size_t>& targetHoles, const AffineMap& motion)
+{
+  const double scale = std::cbrt(std::abs(motion.linear.determinant()));
+  const Index n = static_cast<Index>(sourceHoles.size());
+  Eigen::MatrixXd squared(n, n);
+  for (Index s = 0; s < n; ++s)
+  {
+    const ClosedPolygon& hole = source[sourceHoles[static_cast<std::size_t>(s)]];
+    const Eigen::RowVector3d center = motion.apply(Points(hole.center())).row(0);
+    for (Index t = 0; t < n; ++t)
     {
-      sum += (moved.row(i) - target.at(target.fraction(start) + source.fraction(i))).squaredNorm();
-    }
-    if (sum < least)
-    {
-      least = sum;
-      best = target.fraction(start);
+      const ClosedPolygon& other = target[targetHoles[static_cast<std::size_t>(t)]];
+      const double radii = (scale * hole.length() - other.length()) / (2.0 * Pi);
+      squared(s, t) = (center - other.center()).squaredNorm() + radii * radii;
     }
   }
-  return best;
+  return squared;
+}
+
+std::vector<std::size_t> allBut(std::size_t left, std::size_t count)
+{
+  std::vector<std::size_t> numbers;
+  for (std::size_t l = 0; l < count; ++l)
+  {
+    if (l != left)
+    {
+      numbers.push_back(l);
+    }
+  }
+  return numbers;
+}
+
+std::string doubtOfStart(const LoopCorrespondence& correspondence, const std::string& name)
+{
+  return "where " + name + " begins on its partner: begun " +
+    describe(std::round(1e4 * std::abs(correspondence.runnerUpTurn)) / 1e4) +
+    " of its length further " + (correspondence.runnerUpTurn > 0.0 ? "on" : "back") +
+    ", it fits nearly as well";
 }
 }
 
 MatchedLoops matchLoopsByShape(const PointsRef& sourcePoints, const std::vector<Loop>& sourceLoops,
-  const PointsRef& targetPoints, const std::vector<Loop>& targetLoops)
+  const PointsRef& targetPoints, const std::vector<Loop>& targetLoops,
+  const std::string& sourceName, const std::string& targetName)
 {
   if (sourceLoops.size() != targetLoops.size())
   {
-    throw InvalidInput("the source has " + std::to_string(sourceLoops.size()) +
-      " boundary loop(s), the target surface " + std::to_string(targetLoops.size()) +
+    throw InvalidInput("the " + sourceName + " has " + std::to_string(sourceLoops.size()) +
+      " boundary loop(s), the " + targetName + " " + std::to_string(targetLoops.size()) +
       ". Both caps of a sweep have the same holes.");
   }
-  const std::vector<Polygon> source = polygons(sourcePoints, sourceLoops);
-  std::vector<Polygon> target = polygons(targetPoints, targetLoops);
-  const Polygon& outer = source[longest(source)];
-  const Eigen::RowVector3d normal = areaVector(outer.nodes());
-  if (areaVector(target[longest(target)].nodes()).dot(normal) < 0.0)
+  const std::vector<ClosedPolygon> source = polygons(sourcePoints, sourceLoops);
+  std::vector<ClosedPolygon> target = polygons(targetPoints, targetLoops);
+  const std::size_t outer = longest(source);
+  const std::size_t targetOuter = longest(target);
+  const Direction direction = findDirection(source[outer], target[targetOuter]);
+  if (direction.reversed)
   {
-    for (Polygon& loop : target)
+    std::transform(target.begin(), target.end(), target.begin(), reversed);
+  }
+  MatchedLoops matched;
+  if (direction.isGuess)
+  {
+    matched.doubts.push_back("which way round " + nameOf(source[outer], outer, true) +
+      " runs on the target: neither cap faces the other");
+  }
+
+  std::vector<std::size_t> partner(source.size(), targetOuter);
+  std::vector<LoopCorrespondence> correspondences(source.size());
+  correspondences[outer] = correspondLoops(source[outer], target[targetOuter], direction.rotation);
+  if (source.size() > 1)
+  {
+    const Points places = placesOn(target[targetOuter], correspondences[outer]);
+    const AffineMap motion = fitAffineMap(source[outer].nodes(), places,
+      areaVector(source[outer].nodes()), areaVector(target[targetOuter].nodes()));
+    const std::vector<std::size_t> holes = allBut(outer, source.size());
+    const std::vector<std::size_t> targetHoles = allBut(targetOuter, target.size());
+    const Eigen::MatrixXd squared = squaredDistances(source, holes, target, targetHoles, motion);
+    const std::vector<Index> chosen = leastCostAssignment(squared);
+    for (std::size_t h = 0; h < holes.size(); ++h)
     {
-      loop = Polygon(loop.nodes().colwise().reverse());
+      const Index row = static_cast<Index>(h);
+      const double own = squared(row, chosen[h]);
+      partner[holes[h]] = targetHoles[static_cast<std::size_t>(chosen[h])];
+      for (Index t = 0; t < squared.cols(); ++t)
+      {
+        if (t != chosen[h] && squared(row, t) <= NearlyAsClose * NearlyAsClose * own)
+        {
+          matched.doubts.push_back("which hole of the target " +
+            nameOf(source[holes[h]], holes[h], false) + " becomes: that around " +
+            describeCenter(target[targetHoles[static_cast<std::size_t>(t)]]) +
+            " is nearly as close as the one taken, around " +
+            describeCenter(target[partner[holes[h]]]));
+          break;
+        }
+      }
+      correspondences[holes[h]] =
+        correspondLoops(source[holes[h]], target[partner[holes[h]]], motion.linear);
     }
   }
-  const Polygon& targetOuter = target[longest(target)];
-  Motion motion;
-  motion.from = outer.center();
-  motion.to = targetOuter.center();
-  motion.linear = (targetOuter.length() / outer.length()) *
-    Eigen::Quaterniond::FromTwoVectors(
-      normal.transpose(), areaVector(targetOuter.nodes()).transpose())
-      .toRotationMatrix();
-
-  const std::vector<std::size_t> partner = pairLoops(source, target, motion);
-  MatchedLoops matched;
   for (std::size_t s = 0; s < source.size(); ++s)
   {
-    const Polygon& loop = target[partner[s]];
-    const double start = bestStart(source[s], loop, motion);
-    LoopPair pair{ source[s].nodes(), source[s].nodes() };
-    for (Index i = 0; i < pair.first.rows(); ++i)
+    const ClosedPolygon& loop = target[partner[s]];
+    const LoopCorrespondence& correspondence = correspondences[s];
+    if (correspondence.isGuess())
     {
-      pair.second.row(i) = loop.at(start + source[s].fraction(i));
+      matched.doubts.push_back(doubtOfStart(correspondence, nameOf(source[s], s, s == outer)));
     }
-    matched.pairs.push_back(std::move(pair));
-    matched.startFractions.push_back(start);
+    matched.pairs.push_back({ source[s].nodes(), placesOn(loop, correspondence) });
+    const double start = correspondence.places.front();
+    matched.startFractions.push_back(start - std::floor(start));
   }
   return matched;
+}
+
+std::string describeDoubts(const std::vector<std::string>& doubts)
+{
+  if (doubts.empty())
+  {
+    return {};
+  }
+  std::string text = "Without linking sides the loops are matched by their shape, which leaves "
+                     "open";
+  for (std::size_t i = 0; i < std::min(doubts.size(), DoubtsToName); ++i)
+  {
+    text += (i > 0 ? "; " : " ") + doubts[i];
+  }
+  if (doubts.size() > DoubtsToName)
+  {
+    text += "; and " + std::to_string(doubts.size() - DoubtsToName) + " more";
+  }
+  return text + ". The sweep may be twisted: connect LinkingSides.";
 }
 }

@@ -73,6 +73,7 @@ struct Boundary
   std::vector<ColumnDirection> columns; // with linking sides only
   std::vector<LoopPair> shapePairs;     // without linking sides only
   std::vector<double> startFractions;
+  std::vector<std::string> doubts;
 };
 
 Boundary placeBoundary(
@@ -108,6 +109,7 @@ Boundary placeBoundary(
   }
   boundary.shapePairs = outerFirst(std::move(matched.pairs));
   boundary.startFractions = std::move(matched.startFractions);
+  boundary.doubts = std::move(matched.doubts);
   return boundary;
 }
 
@@ -223,26 +225,30 @@ Triangles halveQuads(const PointsRef& points, const QuadsRef& quads)
   return triangles;
 }
 
-CommonDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
+LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
   const Progress& progress)
 {
-  const TriangleMesh first = oriented(cap, "triangles of the cap");
-  const TriangleMesh second = oriented(partner, "triangles of the partner");
+  const TriangleMesh first = oriented(cap, "input surface");
+  const TriangleMesh second = oriented(partner, "partner surface");
   LinkedLoops linked;
+  MatchedLoops matched;
   if (linking)
   {
     linked = link(first, second, *linking, matchTolerance);
   }
   else
   {
-    linked.pairs = outerFirst(matchLoopsByShape(first.points,
-      checkSurface(first.triangles, first.points.rows(), "triangles of the cap").loops,
-      second.points,
-      checkSurface(second.triangles, second.points.rows(), "triangles of the partner").loops)
-                                .pairs);
+    matched = matchLoopsByShape(first.points,
+      checkSurface(first.triangles, first.points.rows(), "input surface").loops, second.points,
+      checkSurface(second.triangles, second.points.rows(), "partner surface").loops,
+      "input surface", "partner surface");
+    linked.pairs = outerFirst(std::move(matched.pairs));
   }
-  return mapPairs(first, second, linked, weights, matchTolerance, progress);
+  LinkedDisks disks{ mapPairs(first, second, linked, weights, matchTolerance, progress), {}, {} };
+  disks.startFractions = std::move(matched.startFractions);
+  disks.doubts = std::move(matched.doubts);
+  return disks;
 }
 
 SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& progress)
@@ -264,6 +270,7 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
 
   SweepProjection result;
   result.startFractions = boundary.startFractions;
+  result.doubts = boundary.doubts;
   if (input.method == ProjectionMethod::AffineLeastSquares)
   {
     result.quads = projectAffinely(input.source.points, used, boundary.nodes,

@@ -13,6 +13,7 @@
 #include "QuadQuality.h"
 
 #include <optional>
+#include <string>
 
 namespace hexsweep
 {
@@ -55,6 +56,15 @@ struct SweepProjection
   std::optional<NitscheCondition> nitsche;
   /// See MatchedLoops; empty with linking sides.
   std::vector<double> startFractions;
+  std::vector<std::string> doubts;
+};
+
+/// Two caps and how their loops were matched.
+struct LinkedDisks : CommonDisks
+{
+  /// See MatchedLoops; empty with linking sides.
+  std::vector<double> startFractions;
+  std::vector<std::string> doubts;
 };
 
 /// @throw InvalidInput, SolverFailure, Aborted.
@@ -65,7 +75,7 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
  *
  * @param linking structured quads between the two; without them loops are matched by shape.
  */
-CommonDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
+LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
   const Progress& progress = {});
 

@@ -223,6 +223,35 @@ TEST(HarmonicDiskMap, WithAPartnerBothCapsShareTheirLoops)
   }
 }
 
+TEST(HarmonicDiskMap, WithoutLinkingSidesTheChosenStartsAreReported)
+{
+  const test::SweepGrids sweep = test::readCase("taper10");
+  Map matched(sweep.sourceSurface, sweep.targetSurface);
+  vtkDataArray* starts = matched.run()->GetFieldData()->GetArray("SweepReportLoopStarts");
+  ASSERT_NE(starts, nullptr);
+  EXPECT_EQ(starts->GetNumberOfTuples(),
+    static_cast<vtkIdType>(
+      matched.run()->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples()) +
+      1);
+  Map linked(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+  EXPECT_EQ(linked.run()->GetFieldData()->GetArray("SweepReportLoopStarts"), nullptr);
+}
+
+TEST(HarmonicDiskMap, AStartThatIsAGuessRaisesAWarning)
+{
+  const std::vector<Corners> square{ { 0, 1, 2, 3 } };
+  const Grid cap =
+    test::gridOf({ { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, 0 }, { 1, -1, 0 } }, square, VTK_QUAD);
+  const double r = std::sqrt(2.0);
+  const Grid partner =
+    test::gridOf({ { r, 0, 3 }, { 0, r, 3 }, { -r, 0, 3 }, { 0, -r, 3 } }, square, VTK_QUAD);
+  Map map(cap, partner);
+  map.filter->Update();
+  EXPECT_TRUE(map.events.errors.empty());
+  ASSERT_EQ(map.events.warnings.size(), 1u);
+  EXPECT_NE(map.events.warnings[0].find("connect LinkingSides"), std::string::npos);
+}
+
 TEST(HarmonicDiskMap, CirclesForMoreLoops)
 {
   const test::SweepGrids sweep = test::plateSweep(3);

@@ -740,6 +740,94 @@ TEST(SweepQuadProjector, WithoutLinkingSidesTheChosenStartsAreReported)
   EXPECT_EQ(starts->GetNumberOfTuples(), 4);
 }
 
+namespace
+{
+/// Quads of a rectangle, n a side, about the origin at a height, turned in its plane.
+Grid rectangleQuads(
+  double width, double depth, vtkIdType n, double height, double degrees, double scale)
+{
+  const double angle = degrees * std::acos(-1.0) / 180.0;
+  std::vector<std::array<double, 3>> points;
+  std::vector<Corners> quads;
+  for (vtkIdType j = 0; j <= n; ++j)
+  {
+    for (vtkIdType i = 0; i <= n; ++i)
+    {
+      const double x = width * (static_cast<double>(i) / static_cast<double>(n) - 0.5);
+      const double y = depth * (static_cast<double>(j) / static_cast<double>(n) - 0.5);
+      points.push_back({ scale * (x * std::cos(angle) - y * std::sin(angle)),
+        scale * (x * std::sin(angle) + y * std::cos(angle)), scale * height });
+      if (i < n && j < n)
+      {
+        const vtkIdType p = j * (n + 1) + i;
+        quads.push_back({ p, p + 1, p + n + 2, p + n + 1 });
+      }
+    }
+  }
+  return test::gridOf(points, quads, VTK_QUAD);
+}
+}
+
+TEST(SweepQuadProjector, WithoutLinkingSidesASquareBecomesARectangle)
+{
+  // Stretching a square keeps its grid: every node is known.
+  for (const double depth : { 1.0, 1.5, 3.0 })
+  {
+    for (const double degrees : { 0.0, 20.0 })
+    {
+      for (const double scale : { 1e-6, 1.0, 1e6 })
+      {
+        Projection projection({ rectangleQuads(1, 1, 8, 0.0, 0.0, scale), nullptr,
+          rectangleQuads(1, depth, 11, 2.0, degrees, scale), nullptr });
+        vtkUnstructuredGrid* output = projection.run();
+        const Grid expected = rectangleQuads(1, depth, 8, 2.0, degrees, scale);
+        EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+        for (const vtkIdType corner : { 0, 8, 72, 80 })
+        {
+          EXPECT_LT(test::distance(test::pointOf(output, corner), test::pointOf(expected, corner)),
+            1e-12 * scale);
+        }
+        EXPECT_LT(test::greatestDistance(output, expected), 0.05 * scale) << depth << degrees;
+        EXPECT_TRUE(projection.events.warnings.empty()) << projection.events.warnings[0];
+      }
+    }
+  }
+}
+
+TEST(SweepQuadProjector, AStartThatIsAGuessRaisesAWarning)
+{
+  Projection projection({ rectangleQuads(1, 1, 8, 0.0, 0.0, 1.0), nullptr,
+    rectangleQuads(1, 1, 8, 2.0, 45.0, 1.0), nullptr });
+  vtkUnstructuredGrid* output = projection.run();
+  EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+  ASSERT_EQ(projection.events.warnings.size(), 1u);
+  const std::string& warning = projection.events.warnings[0];
+  EXPECT_NE(warning.find("loop 0 (the outer one, around (0, 0, 0))"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("connect LinkingSides"), std::string::npos) << warning;
+}
+
+TEST(SweepQuadProjector, WithoutLinkingSidesTheCasesComeOutAsWithThem)
+{
+  // Straight sweeps and arcs, without a twist: the linking sides say nothing that shape does not.
+  for (const char* name : { "taper10", "c_open", "ubend" })
+  {
+    SweepGrids sweep = test::readCase(name);
+    const auto ends = columnEnds(sweep);
+    sweep.linkingSides = nullptr;
+    Projection projection(sweep);
+    vtkUnstructuredGrid* output = projection.run();
+    EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0) << name;
+    double farthest = 0.0;
+    for (const auto& side : test::boundaryOf(sweep.sourceQuads))
+    {
+      farthest = std::max(farthest,
+        test::distance(test::pointOf(output, side.first),
+          ends.at(test::pointOf(sweep.sourceQuads, side.first))));
+    }
+    EXPECT_LT(farthest, 0.01 * test::sizeOf(sweep.targetSurface)) << name;
+  }
+}
+
 TEST(SweepQuadProjector, TwiceGivesTheSameBits)
 {
   Projection projection(test::readCase("taper10"));

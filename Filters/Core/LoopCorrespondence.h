@@ -35,7 +35,8 @@ struct LoopCorrespondence
  *
  * Candidates are piecewise linear in arc length:
  *  - one straight piece, from each of many starts;
- *  - corner on corner (see loopCorners()), where both loops have as many, at each cyclic offset;
+ *  - corner on corner (see loopCorners()), where both loops have as many, at each cyclic offset:
+ *    taken unless it is clearly worse;
  *  - a cyclic sequence of corners on corners, some left over on either loop, by dynamic
  * programming. It has the most freedom, so it must be clearly better than one piece to be taken.
  *

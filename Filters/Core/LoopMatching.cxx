@@ -130,26 +130,78 @@ std::string nameOf(const ClosedPolygon& loop, std::size_t number, bool outer)
     ", around " + describeCenter(loop) + ")";
 }
 
-/// Distances of holes: of their centres after the motion, and of the circles of their lengths.
-Eigen::MatrixXd squaredDistances(const std::vector<ClosedPolygon>& source,
+/// Two sets of holes to be paired.
+struct Holes
+{
+  Points sourceCenters; ///< after the motion
+  Points targetCenters;
+  Eigen::VectorXd sourceRadii; ///< of circles of their lengths, after the motion
+  Eigen::VectorXd targetRadii;
+
+  /// Squared distances of the centres, moved by `shift`, and of the radii.
+  Eigen::MatrixXd squaredDistances(const Eigen::RowVector3d& shift) const
+  {
+    const Index n = this->sourceCenters.rows();
+    Eigen::MatrixXd squared(n, n);
+    for (Index s = 0; s < n; ++s)
+    {
+      for (Index t = 0; t < n; ++t)
+      {
+        const double radii = this->sourceRadii[s] - this->targetRadii[t];
+        squared(s, t) =
+          (this->sourceCenters.row(s) + shift - this->targetCenters.row(t)).squaredNorm() +
+          radii * radii;
+      }
+    }
+    return squared;
+  }
+};
+
+Holes gatherHoles(const std::vector<ClosedPolygon>& source,
   const std::vector<std::size_t>& sourceHoles, const std::vector<ClosedPolygon>& target,
   const std::vector<std::size_t>& targetHoles, const AffineMap& motion)
 {
   const double scale = std::cbrt(std::abs(motion.linear.determinant()));
   const Index n = static_cast<Index>(sourceHoles.size());
-  Eigen::MatrixXd squared(n, n);
-  for (Index s = 0; s < n; ++s)
+  Holes holes{ Points(n, 3), Points(n, 3), Eigen::VectorXd(n), Eigen::VectorXd(n) };
+  for (Index h = 0; h < n; ++h)
   {
-    const ClosedPolygon& hole = source[sourceHoles[static_cast<std::size_t>(s)]];
-    const Eigen::RowVector3d center = motion.apply(Points(hole.center())).row(0);
-    for (Index t = 0; t < n; ++t)
-    {
-      const ClosedPolygon& other = target[targetHoles[static_cast<std::size_t>(t)]];
-      const double radii = (scale * hole.length() - other.length()) / (2.0 * Pi);
-      squared(s, t) = (center - other.center()).squaredNorm() + radii * radii;
-    }
+    const ClosedPolygon& from = source[sourceHoles[static_cast<std::size_t>(h)]];
+    const ClosedPolygon& to = target[targetHoles[static_cast<std::size_t>(h)]];
+    holes.sourceCenters.row(h) = from.center();
+    holes.targetCenters.row(h) = to.center();
+    holes.sourceRadii[h] = scale * from.length() / (2.0 * Pi);
+    holes.targetRadii[h] = to.length() / (2.0 * Pi);
   }
-  return squared;
+  holes.sourceCenters = motion.apply(holes.sourceCenters);
+  return holes;
+}
+
+/// For each hole another one that is nearly as close as its partner, or -1. How far caps bulge over
+/// their outer loops is no matter: the mean step along `normal` is taken out.
+std::vector<Index> rivals(
+  const Holes& holes, const std::vector<Index>& partner, const Eigen::RowVector3d& normal)
+{
+  double step = 0.0;
+  for (std::size_t h = 0; h < partner.size(); ++h)
+  {
+    step += normal.dot(
+      holes.targetCenters.row(partner[h]) - holes.sourceCenters.row(static_cast<Index>(h)));
+  }
+  const Eigen::MatrixXd squared =
+    holes.squaredDistances(step / static_cast<double>(partner.size()) * normal);
+  std::vector<Index> result;
+  for (Index h = 0; h < squared.rows(); ++h)
+  {
+    const Index own = partner[static_cast<std::size_t>(h)];
+    Index rival = -1;
+    for (Index t = 0; t < squared.cols() && rival < 0; ++t)
+    {
+      rival = t != own && squared(h, t) <= NearlyAsClose * NearlyAsClose * squared(h, own) ? t : -1;
+    }
+    result.push_back(rival);
+  }
+  return result;
 }
 
 std::vector<std::size_t> allBut(std::size_t left, std::size_t count)
@@ -210,24 +262,21 @@ MatchedLoops matchLoopsByShape(const PointsRef& sourcePoints, const std::vector<
       areaVector(source[outer].nodes()), areaVector(target[targetOuter].nodes()));
     const std::vector<std::size_t> holes = allBut(outer, source.size());
     const std::vector<std::size_t> targetHoles = allBut(targetOuter, target.size());
-    const Eigen::MatrixXd squared = squaredDistances(source, holes, target, targetHoles, motion);
-    const std::vector<Index> chosen = leastCostAssignment(squared);
+    const Holes both = gatherHoles(source, holes, target, targetHoles, motion);
+    const std::vector<Index> chosen =
+      leastCostAssignment(both.squaredDistances(Eigen::RowVector3d::Zero()));
+    const std::vector<Index> rival =
+      rivals(both, chosen, areaVector(target[targetOuter].nodes()).normalized());
     for (std::size_t h = 0; h < holes.size(); ++h)
     {
-      const Index row = static_cast<Index>(h);
-      const double own = squared(row, chosen[h]);
       partner[holes[h]] = targetHoles[static_cast<std::size_t>(chosen[h])];
-      for (Index t = 0; t < squared.cols(); ++t)
+      if (rival[h] >= 0)
       {
-        if (t != chosen[h] && squared(row, t) <= NearlyAsClose * NearlyAsClose * own)
-        {
-          matched.doubts.push_back("which hole of the target " +
-            nameOf(source[holes[h]], holes[h], false) + " becomes: that around " +
-            describeCenter(target[targetHoles[static_cast<std::size_t>(t)]]) +
-            " is nearly as close as the one taken, around " +
-            describeCenter(target[partner[holes[h]]]));
-          break;
-        }
+        matched.doubts.push_back("which hole of the target " +
+          nameOf(source[holes[h]], holes[h], false) + " becomes: that around " +
+          describeCenter(target[targetHoles[static_cast<std::size_t>(rival[h])]]) +
+          " is nearly as close as the one taken, around " +
+          describeCenter(target[partner[holes[h]]]));
       }
       correspondences[holes[h]] =
         correspondLoops(source[holes[h]], target[partner[holes[h]]], motion.linear);

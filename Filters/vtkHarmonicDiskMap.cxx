@@ -63,10 +63,14 @@ int vtkHarmonicDiskMap::RequestData(
         pipelineProgress(this, 0.1, 0.9));
       cap = std::move(linked.first);
       startFractions = std::move(linked.startFractions);
-      const std::string doubts = describeDoubts(linked.doubts);
-      if (!doubts.empty())
+      for (const std::string& warning : { describeDoubts(linked.doubts),
+             describeMismatch(
+               linked.mismatch, "input surface", "ring of the linking sides at this cap") })
       {
-        vtkWarningMacro(<< doubts);
+        if (!warning.empty())
+        {
+          vtkWarningMacro(<< warning);
+        }
       }
     }
     else

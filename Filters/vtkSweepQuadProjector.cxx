@@ -232,15 +232,16 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
       }
     }
   }
-  const std::string nitsche = describeNitsche(projection);
-  if (!nitsche.empty())
+  for (const std::string& warning :
+    { describeNitsche(projection), describeDoubts(projection.doubts),
+      describeMismatch(projection.sourceMismatch, "source surface", "boundary of the source quads"),
+      describeMismatch(
+        projection.targetMismatch, "target surface", "last ring of the linking sides") })
   {
-    vtkWarningMacro(<< nitsche);
-  }
-  const std::string doubts = describeDoubts(projection.doubts);
-  if (!doubts.empty())
-  {
-    vtkWarningMacro(<< doubts);
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
   }
   const std::string inverted = describeInverted(projection, input.source.quads);
   if (!inverted.empty())

@@ -34,7 +34,8 @@
  *   `SweepReportMinScaledJacobian`, `SweepReportMeanScaledJacobian`,
  *   `SweepReportMaximumSourceDistance` (of interior nodes from the source surface),
  *   `SweepReportMaximumBoundaryDistance` (of the last ring from the boundary of the target surface;
- *   up to a quarter of an edge is taken for the height of a chord), `SweepReportIgnoredCells`,
+ *   more than facets of a curve explain raises a warning, more than a quarter of an edge is an
+ *   error), `SweepReportIgnoredCells`,
  *   `SweepReportOutside` (nodes that lay in no triangle of the target's disk map),
  *   `SweepReportFlipsBefore`, `SweepReportFlipsAfter` (both caps), and for PAPER_HARMONIC with one
  *   hole `SweepReportNitscheRatio`: 2 r cos(theta) / ((1 + r^2) rho), at 1 and below the map folds.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CapBoundary.h"
 
+#include "BoundarySearch.h"
 #include "Describe.h"
 #include "Errors.h"
 #include "FilledDiskMap.h"
@@ -8,7 +9,6 @@
 #include "RingParameter.h"
 #include "SurfaceRefinement.h"
 #include "SurfaceTopology.h"
-#include "TriangleSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,68 +21,6 @@ namespace
 /// A ring node further than this from the cap's boundary, in local edges, is no node of it. The
 /// sagitta of a chord is less than a fifth of its length for any loop of four nodes or more.
 constexpr double FarthestInEdges = 0.25;
-
-/// All edges of a cap's boundary, as triangles without area for the search.
-class BoundarySearch
-{
-public:
-  BoundarySearch(const PointsRef& points, const std::vector<Loop>& loops)
-    : Search(edges(points, loops))
-  {
-    for (std::size_t l = 0; l < loops.size(); ++l)
-    {
-      for (std::size_t i = 0; i < loops[l].size(); ++i)
-      {
-        this->LoopOfEdge.push_back(l);
-        this->EdgeInLoop.push_back(static_cast<Index>(i));
-        this->EdgeLength.push_back(
-          (points.row(loops[l][i]) - points.row(loops[l][(i + 1) % loops[l].size()])).norm());
-      }
-    }
-  }
-
-  struct Place
-  {
-    std::size_t loop;
-    double position; ///< edge of the loop + fraction
-    double distance;
-    double edgeLength;
-  };
-  Place closest(const Eigen::RowVector3d& p) const
-  {
-    const TrianglePoint near = this->Search.closest(p);
-    const std::size_t e = static_cast<std::size_t>(near.triangle);
-    return { this->LoopOfEdge[e],
-      static_cast<double>(this->EdgeInLoop[e]) + 1.0 - near.coordinates[0], near.distance,
-      this->EdgeLength[e] };
-  }
-
-private:
-  static Points edges(const PointsRef& points, const std::vector<Loop>& loops)
-  {
-    std::size_t count = 0;
-    for (const Loop& loop : loops)
-    {
-      count += loop.size();
-    }
-    Points corners(static_cast<Index>(count) * 3, 3);
-    Index row = 0;
-    for (const Loop& loop : loops)
-    {
-      for (std::size_t i = 0; i < loop.size(); ++i, row += 3)
-      {
-        corners.row(row) = points.row(loop[i]);
-        corners.row(row + 1) = corners.row(row + 2) = points.row(loop[(i + 1) % loop.size()]);
-      }
-    }
-    return corners;
-  }
-
-  TriangleSearch Search;
-  std::vector<std::size_t> LoopOfEdge;
-  std::vector<Index> EdgeInLoop;
-  std::vector<double> EdgeLength;
-};
 
 double meanDistance(const BoundarySearch& boundary, const Points& ring)
 {

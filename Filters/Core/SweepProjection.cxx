@@ -66,11 +66,19 @@ LinkedLoops link(const TriangleMesh& cap, const TriangleMesh& partner, const Qua
     linking.points, linking.quads, matchTolerance);
 }
 
+BoundaryMismatch mismatchOf(const TriangleMesh& cap, const std::string& what,
+  const std::vector<Points>& rings, double matchTolerance)
+{
+  return boundaryMismatch(
+    cap.points, checkSurface(cap.triangles, cap.points.rows(), what).loops, rings, matchTolerance);
+}
+
 /// Where the boundary nodes of the quads belong on the target cap.
 struct Boundary
 {
   std::vector<FixedNode> nodes;
   std::vector<ColumnDirection> columns; // with linking sides only
+  std::vector<Points> lastRings;        // with linking sides only
   std::vector<LoopPair> shapePairs;     // without linking sides only
   std::vector<double> startFractions;
   std::vector<std::string> doubts;
@@ -95,6 +103,7 @@ Boundary placeBoundary(
         boundary.nodes.push_back({ loops[l][j], last.row(row) });
         boundary.columns.push_back({ loops[l][j], above.row(row) - last.row(row) });
       }
+      boundary.lastRings.push_back(last);
     }
     return boundary;
   }
@@ -245,7 +254,15 @@ LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
       "input surface", "partner surface");
     linked.pairs = outerFirst(std::move(matched.pairs));
   }
-  LinkedDisks disks{ mapPairs(first, second, linked, weights, matchTolerance, progress), {}, {} };
+  LinkedDisks disks;
+  static_cast<CommonDisks&>(disks) =
+    mapPairs(first, second, linked, weights, matchTolerance, progress);
+  std::vector<Points> rings;
+  for (const LoopPair& pair : linked.pairs)
+  {
+    rings.push_back(linked.swapped ? pair.second : pair.first);
+  }
+  disks.mismatch = mismatchOf(first, "input surface", rings, matchTolerance);
   disks.startFractions = std::move(matched.startFractions);
   disks.doubts = std::move(matched.doubts);
   return disks;
@@ -271,6 +288,11 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
   SweepProjection result;
   result.startFractions = boundary.startFractions;
   result.doubts = boundary.doubts;
+  if (!given)
+  {
+    result.targetMismatch =
+      mismatchOf(target, "target surface", boundary.lastRings, input.matchTolerance);
+  }
   if (input.method == ProjectionMethod::AffineLeastSquares)
   {
     result.quads = projectAffinely(input.source.points, used, boundary.nodes,
@@ -289,6 +311,13 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
       const TriangleMesh source = input.sourceSurface
         ? oriented(*input.sourceSurface, "source surface")
         : TriangleMesh{ input.source.points, halveQuads(input.source.points, input.source.quads) };
+      std::vector<Points> firstRings;
+      for (const Loop& loop : topology.loops)
+      {
+        firstRings.push_back(loopPoints(input.source.points, loop));
+      }
+      result.sourceMismatch =
+        mismatchOf(source, "source surface", firstRings, input.matchTolerance);
       LinkedLoops linked;
       linked.pairs = boundary.shapePairs;
       if (input.linking)

@@ -7,6 +7,7 @@
 #ifndef hexsweep_SweepProjection_h
 #define hexsweep_SweepProjection_h
 
+#include "BoundarySearch.h"
 #include "PaperDiskMap.h"
 #include "QuadPolishing.h"
 #include "QuadProjection.h"
@@ -57,6 +58,10 @@ struct SweepProjection
   /// See MatchedLoops; empty with linking sides.
   std::vector<double> startFractions;
   std::vector<std::string> doubts;
+  /// Source quads' loops off the source surface, and last ring off the target surface; none where
+  /// the disk maps were given.
+  BoundaryMismatch sourceMismatch;
+  BoundaryMismatch targetMismatch;
 };
 
 /// Two caps and how their loops were matched.
@@ -65,6 +70,7 @@ struct LinkedDisks : CommonDisks
   /// See MatchedLoops; empty with linking sides.
   std::vector<double> startFractions;
   std::vector<std::string> doubts;
+  BoundaryMismatch mismatch; ///< of the linking sides and the (first) cap
 };
 
 /// @throw InvalidInput, SolverFailure, Aborted.

@@ -954,6 +954,47 @@ TEST(SweepQuadProjector, LoopsThatDoNotMatch)
   EXPECT_TRUE(test::isEmpty(other.filter));
 }
 
+TEST(SweepQuadProjector, ASurfaceThatIsALittleOffRaisesAWarning)
+{
+  // Less than a quarter of an edge is no error.
+  const SweepGrids plate = test::plateSweep(1);
+  const double edge =
+    test::distance(test::pointOf(plate.sourceQuads, plate.sourceQuads->GetCell(0)->GetPointId(0)),
+      test::pointOf(plate.sourceQuads, plate.sourceQuads->GetCell(0)->GetPointId(1)));
+  for (const int port : { 1, 3 })
+  {
+    for (const std::size_t direction : { 0u, 2u })
+    {
+      Projection projection(plate);
+      vtkUnstructuredGrid* cap = port == 1 ? plate.targetSurface : plate.sourceSurface;
+      projection.filter->SetInputData(port,
+        test::changedPoints(
+          cap, [&](vtkIdType, std::array<double, 3>& p) { p[direction] += 0.1 * edge; }));
+      projection.run();
+      ASSERT_EQ(projection.events.warnings.size(), 1u) << port << direction;
+      EXPECT_NE(projection.events.warnings[0].find(port == 1
+                    ? "the boundary of the target surface is not the last ring"
+                    : "the boundary of the source surface is not the boundary of the source quads"),
+        std::string::npos)
+        << projection.events.warnings[0];
+    }
+  }
+}
+
+TEST(SweepQuadProjector, FacetsOfOneCurveRaiseNoWarning)
+{
+  for (const char* name : { "c_open", "fig7_growing_hole", "fig8_concave_twisted_hole",
+         "fig9_spongecake", "gear_round", "taper10", "twist270_L", "ubend" })
+  {
+    Projection projection(test::readCase(name));
+    projection.raw().run();
+    for (const std::string& warning : projection.events.warnings)
+    {
+      EXPECT_EQ(warning.find("the boundary of the"), std::string::npos) << name << ": " << warning;
+    }
+  }
+}
+
 TEST(SweepQuadProjector, DifferentNumbersOfHoles)
 {
   const SweepGrids one = test::readCase("ubend");

@@ -283,10 +283,7 @@ int vtkCageHexInterior::RequestData(
     vtkDataSet* sourceData = hexsweep::inputDataSet(inputs, 0);
     vtkDataSet* targetData = hexsweep::inputDataSet(inputs, 1);
     vtkDataSet* linkingData = hexsweep::inputDataSet(inputs, 2);
-    const bool noSource = hexsweep::isEmptyPiece(outputs, sourceData, "source quads");
-    const bool noTarget = hexsweep::isEmptyPiece(outputs, targetData, "target quads");
-    const bool noLinking = hexsweep::isEmptyPiece(outputs, linkingData, "linking sides");
-    if (noSource && noTarget && noLinking)
+    if (hexsweep::isIdleRank(outputs, inputs, { "source quads", "target quads", "linking sides" }))
     {
       return;
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepBridge.h"
 
+#include "Core/Describe.h"
+#include "Core/SurfaceLaplacian.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -40,12 +43,13 @@ void checkPresent(vtkDataSet* data, const std::string& what)
 {
   if (!data)
   {
-    throw InvalidInput("the " + what +
-      " are missing. Connect an unstructured grid or polygonal data to that input.");
+    throw InvalidInput("the " + what + verb(what, " is", " are") +
+      " missing. Connect an unstructured grid or polygonal data to that input.");
   }
   if (data->GetNumberOfCells() == 0)
   {
-    throw InvalidInput("the " + what + " are empty (no cells). Connect a surface mesh.");
+    throw InvalidInput(
+      "the " + what + verb(what, " is", " are") + " empty (no cells). Connect a surface mesh.");
   }
 }
 
@@ -90,7 +94,8 @@ SurfaceInput readSurface(
   }
   if (ids.empty())
   {
-    throw InvalidInput("the " + what + " are empty (no surface cells). Connect a surface mesh.");
+    throw InvalidInput("the " + what + verb(what, " is", " are") +
+      " empty (no surface cells). Connect a surface mesh.");
   }
   input.faces =
     Eigen::Map<const Faces>(ids.data(), static_cast<Index>(ids.size()) / corners, corners);
@@ -229,6 +234,9 @@ vtkDataSet* inputDataSet(vtkInformationVector** inputs, int port)
                                                            : nullptr;
 }
 
+namespace
+{
+/// Whether one input is empty on a rank > 0; see isIdleRank().
 bool isEmptyPiece(vtkInformationVector* outputs, vtkDataSet* data, const std::string& what)
 {
   const int piece =
@@ -244,6 +252,7 @@ bool isEmptyPiece(vtkInformationVector* outputs, vtkDataSet* data, const std::st
       "rank (a serial reader leaves it there) before sweeping.");
   }
   return true;
+}
 }
 
 bool isIdleRank(vtkInformationVector* outputs, vtkInformationVector** inputs,
@@ -302,6 +311,29 @@ SurfaceInput readQuads(vtkDataSet* data, const std::string& what)
         ids.push_back(cell->GetPointId(i));
       }
     });
+}
+
+void checkAreas(const SurfaceInput& surface, const std::string& what)
+{
+  const Triangles triangles = surface.faces;
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    const auto corners = triangles.row(t);
+    const bool collapsed =
+      corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+    // A point that a cell uses twice is named where the topology is checked.
+    if (!collapsed && !hasWeights(surface.points, corners))
+    {
+      const Eigen::RowVector3d center =
+        (surface.points.row(triangles(t, 0)) + surface.points.row(triangles(t, 1)) +
+          surface.points.row(triangles(t, 2))) /
+        3.0;
+      throw InvalidInput("the " + what + ": cell " +
+        std::to_string(surface.cellIds[static_cast<std::size_t>(t)]) + " at " + describe(center) +
+        " has no area or is cut into a triangle that has none, so that no angle is defined. Remove "
+        "degenerate cells (in ParaView: Clean) or triangulate again.");
+    }
+  }
 }
 
 vtkPoints* newPoints(const PointsRef& points, int precision)

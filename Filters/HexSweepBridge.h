@@ -46,14 +46,12 @@ void acceptSurfaces(vtkInformation* portInformation);
 vtkDataSet* inputDataSet(vtkInformationVector** inputs, int port);
 
 /**
- * Whether this is a rank > 0 with nothing on it, as a serial reader leaves it: there is nothing to
- * do and nothing to complain about.
+ * Whether this is a rank > 0 with nothing on one of its connected ports, as a serial reader leaves
+ * it: there is nothing to do and nothing to complain about.
  *
+ * @param portNames from port 0 on.
  * @throw InvalidInput when a rank > 0 holds cells: a cap that is split over ranks is not swept.
  */
-bool isEmptyPiece(vtkInformationVector* outputs, vtkDataSet* data, const std::string& what);
-
-/// isEmptyPiece() over all connected ports, from port 0 on. @throw InvalidInput as it does.
 bool isIdleRank(vtkInformationVector* outputs, vtkInformationVector** inputs,
   const std::vector<std::string>& portNames);
 
@@ -65,6 +63,10 @@ bool isIdleRank(vtkInformationVector* outputs, vtkInformationVector** inputs,
  * @throw InvalidInput missing, empty, volume cells, coordinates that are not finite.
  */
 SurfaceInput readTriangles(vtkDataSet* data, const std::string& what);
+
+/// Triangles must have angles before a harmonic map is made of them.
+/// @throw InvalidInput naming the first cell without area. @param what as readTriangles().
+void checkAreas(const SurfaceInput& surface, const std::string& what);
 
 /// Reads quads; any other surface cell is an error. @throw InvalidInput as readTriangles().
 SurfaceInput readQuads(vtkDataSet* data, const std::string& what);

@@ -50,6 +50,7 @@ int vtkHarmonicDiskMap::RequestData(
         " does not exist. Choose Koebe (0), ArcLength (1) or Filled (2).");
     }
     const SurfaceInput surface = readTriangles(input, "input surface");
+    checkAreas(surface, "input surface");
     const hexsweep::Weights weights =
       this->Weights == COTANGENT ? hexsweep::Weights::Cotangent : hexsweep::Weights::MeanValue;
     const TriangleMesh mesh{ surface.points, surface.faces };
@@ -58,6 +59,7 @@ int vtkHarmonicDiskMap::RequestData(
     if (vtkDataSet* partner = inputDataSet(inputs, 1))
     {
       const SurfaceInput other = readTriangles(partner, "partner surface");
+      checkAreas(other, "partner surface");
       LinkedDisks linked = mapLinkedCaps(mesh, { other.points, other.faces },
         readOptionalQuads(inputDataSet(inputs, 2), "linking sides"), weights, this->MatchTolerance,
         pipelineProgress(this, 0.1, 0.9));

@@ -209,6 +209,21 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
     input.targetDisk = readCapDisk(target, "target surface");
   }
 
+  if (this->DiskMaps != FROM_INPUT && input.method != ProjectionMethod::AffineLeastSquares)
+  {
+    checkAreas(triangles, "target surface");
+    if (sourceSurface)
+    {
+      checkAreas(sourceTriangles, "source surface");
+    }
+    else
+    {
+      sourceTriangles.points = quads.points;
+      sourceTriangles.faces = halveQuads(quads.points, quads.faces);
+      checkAreas(sourceTriangles, "source quads");
+    }
+  }
+
   const SweepProjection projection = projectSweep(input, pipelineProgress(this, 0.1, 0.9));
 
   auto* output = vtkUnstructuredGrid::GetData(outputs, 0);

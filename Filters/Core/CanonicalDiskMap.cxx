@@ -61,16 +61,14 @@ CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weig
   const KoebeLimits& limits, const Progress& progress)
 {
   reportProgress(progress, 0.0);
-  checkCap(checkSurface(mesh.triangles, mesh.points.rows(), "triangles of the cap"),
-    "triangles of the cap");
+  checkCap(checkSurface(mesh.triangles, mesh.points.rows(), "input surface"), "input surface");
   RefinedSurface refined = refineSurface(mesh, {}, true);
 
   CapDisk cap;
   cap.mesh = std::move(refined.mesh);
   cap.triangleOrigin = std::move(refined.triangleOrigin);
   cap.numberOfOriginalPoints = mesh.points.rows();
-  cap.loops =
-    checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), "triangles of the cap").loops;
+  cap.loops = checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), "input surface").loops;
   const Points& points = cap.mesh.points;
   const auto outer =
     std::max_element(cap.loops.begin(), cap.loops.end(), [&](const Loop& a, const Loop& b) {

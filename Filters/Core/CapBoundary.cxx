@@ -41,7 +41,7 @@ struct RingOnCap
 };
 
 RingOnCap findRing(const BoundarySearch& boundary, const std::vector<Loop>& loops,
-  const Points& ring, std::size_t ringNumber, const std::string& cap)
+  const Points& ring, std::size_t ringNumber, const std::string& cap, const std::string& rings)
 {
   const Index n = ring.rows();
   std::vector<BoundarySearch::Place> places;
@@ -54,7 +54,7 @@ RingOnCap findRing(const BoundarySearch& boundary, const std::vector<Loop>& loop
       (ring.row(i) - ring.row((i + n - 1) % n)).norm() });
     if (place.distance > FarthestInEdges * edge)
     {
-      throw InvalidInput("a loop of the linking sides does not lie on the boundary of the " + cap +
+      throw InvalidInput("a loop of the " + rings + " does not lie on the boundary of the " + cap +
         ": node " + std::to_string(i) + " of loop " + std::to_string(ringNumber) + " at " +
         describe(ring.row(i)) + " is " + describe(place.distance) +
         " away from it. Check that both belong to the same volume.");
@@ -88,32 +88,32 @@ RingOnCap findRing(const BoundarySearch& boundary, const std::vector<Loop>& loop
   advance(start);
   if (std::abs(std::abs(turns / size) - 1.0) > 0.01)
   {
-    throw InvalidInput("loop " + std::to_string(ringNumber) +
-      " of the linking sides does not run once round a loop of the " + cap +
-      ". Check that the linking sides belong to this cap.");
+    throw InvalidInput("loop " + std::to_string(ringNumber) + " of the " + rings + ", through " +
+      describe(ring.row(0)) + ", does not run once round a loop of the " + cap +
+      ". Check that both belong to the same volume.");
   }
   return { loop, turns < 0.0, farthest };
 }
 
 std::vector<RingOnCap> findRings(const PointsRef& points, const std::vector<Loop>& loops,
-  const std::vector<const Points*>& rings, const std::string& cap)
+  const std::vector<const Points*>& rings, const std::string& cap, const std::string& ringsName)
 {
   if (loops.size() != rings.size())
   {
     throw InvalidInput("the " + cap + " has " + std::to_string(loops.size()) +
-      " boundary loop(s), but " + std::to_string(rings.size()) +
-      " are linked. Both caps and the linking sides must have the same holes.");
+      " boundary loop(s), but the " + ringsName + verb(ringsName, " has ", " have ") +
+      std::to_string(rings.size()) + ". Both caps must have the same holes.");
   }
   const BoundarySearch boundary(points, loops);
   std::vector<RingOnCap> found;
   std::vector<bool> taken(loops.size(), false);
   for (std::size_t p = 0; p < rings.size(); ++p)
   {
-    found.push_back(findRing(boundary, loops, *rings[p], p, cap));
+    found.push_back(findRing(boundary, loops, *rings[p], p, cap, ringsName));
     if (taken[found.back().loop])
     {
-      throw InvalidInput("two loops of the linking sides lie on the same loop of the " + cap +
-        ". Check that the linking sides belong to this cap.");
+      throw InvalidInput("two loops of the " + ringsName + " lie on the same loop of the " + cap +
+        ", through " + describe(rings[p]->row(0)) + ". Check that both belong to the same volume.");
     }
     taken[found.back().loop] = true;
   }
@@ -265,12 +265,12 @@ LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstL
 }
 
 CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& second,
-  const std::vector<LoopPair>& pairs, double matchTolerance)
+  const std::vector<LoopPair>& pairs, double matchTolerance, const CapNames& names)
 {
   const SurfaceTopology firstTopology =
-    checkSurface(first.triangles, first.points.rows(), "triangles of the first cap");
+    checkSurface(first.triangles, first.points.rows(), names.first);
   const SurfaceTopology secondTopology =
-    checkSurface(second.triangles, second.points.rows(), "triangles of the second cap");
+    checkSurface(second.triangles, second.points.rows(), names.second);
 
   CapBoundaries result;
   result.pairs = pairs;
@@ -282,7 +282,7 @@ CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& 
     secondRings.push_back(&pair.second);
   }
   std::vector<RingOnCap> onFirst =
-    findRings(first.points, firstTopology.loops, firstRings, "first cap");
+    findRings(first.points, firstTopology.loops, firstRings, names.first, names.rings);
   // The outer ring, not the way the cap happens to face, says which side is up: the result is the
   // same for both. Linking sides may have given the other rings either direction.
   TriangleMesh upright = first;
@@ -302,14 +302,16 @@ CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& 
     }
   }
   const std::vector<RingOnCap> onSecond =
-    findRings(second.points, secondTopology.loops, secondRings, "second cap");
+    findRings(second.points, secondTopology.loops, secondRings, names.second, names.rings);
   TriangleMesh turned = second;
   for (const RingOnCap& ring : onSecond)
   {
     if (ring.reversed != onSecond.front().reversed)
     {
-      throw InvalidInput("some linking sides run from the first cap to the second one turned "
-                         "inside out. Check that they belong to the same volume.");
+      throw InvalidInput("some of the loops run the other way on the " + names.second +
+        " than on the " + names.first +
+        ": linked like this, a side is turned inside out. Check that the " + names.rings +
+        verb(names.rings, " belongs", " belong") + " to this volume.");
     }
   }
   if (onSecond.front().reversed)

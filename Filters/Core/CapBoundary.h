@@ -9,6 +9,8 @@
 
 #include "Mesh.h"
 
+#include <string>
+
 namespace hexsweep
 {
 /// One loop as it lies on both caps: row j of either is the node of column j.
@@ -16,6 +18,14 @@ struct LoopPair
 {
   Points first;  ///< n x 3
   Points second; ///< n x 3
+};
+
+/// What the user calls the caps and what ties them together, for messages.
+struct CapNames
+{
+  std::string first = "first cap";
+  std::string second = "second cap";
+  std::string rings = "linking sides";
 };
 
 /// The pairs with the longest one, over both caps, moved to the front; the others keep their order.
@@ -73,7 +83,7 @@ struct CapBoundaries
  *        lie on one loop, or the loops of the second cap run against each other.
  */
 CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& second,
-  const std::vector<LoopPair>& pairs, double matchTolerance);
+  const std::vector<LoopPair>& pairs, double matchTolerance, const CapNames& names = {});
 }
 
 #endif

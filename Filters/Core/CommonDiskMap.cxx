@@ -194,10 +194,10 @@ CapDisk unmappedCap(const CapBoundary& cap, Index numberOfOriginalPoints)
 
 CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
   const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress)
+  const Progress& progress, const CapNames& names)
 {
   reportProgress(progress, 0.0);
-  const CapBoundaries caps = matchCapBoundaries(first, second, pairs, matchTolerance);
+  const CapBoundaries caps = matchCapBoundaries(first, second, pairs, matchTolerance, names);
   reportProgress(progress, 0.3);
   CommonDisks disks;
   disks.pairs = caps.pairs;

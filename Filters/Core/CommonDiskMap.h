@@ -41,7 +41,7 @@ CapDisk unmappedCap(const CapBoundary& cap, Index numberOfOriginalPoints);
  */
 CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
   const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress = {});
+  const Progress& progress = {}, const CapNames& names = {});
 }
 
 #endif

@@ -21,6 +21,13 @@ inline std::string describe(double value)
   return text;
 }
 
+/// The verb after a mesh's name: "the source quads are", "the target surface is".
+inline std::string verb(
+  const std::string& name, const std::string& singular, const std::string& plural)
+{
+  return !name.empty() && name.back() == 's' ? plural : singular;
+}
+
 /// "(x, y, z)".
 inline std::string describe(const Eigen::Ref<const Eigen::RowVector3d>& point)
 {

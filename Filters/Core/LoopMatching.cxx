@@ -232,9 +232,9 @@ MatchedLoops matchLoopsByShape(const PointsRef& sourcePoints, const std::vector<
 {
   if (sourceLoops.size() != targetLoops.size())
   {
-    throw InvalidInput("the " + sourceName + " has " + std::to_string(sourceLoops.size()) +
-      " boundary loop(s), the " + targetName + " " + std::to_string(targetLoops.size()) +
-      ". Both caps of a sweep have the same holes.");
+    throw InvalidInput("the " + sourceName + verb(sourceName, " has ", " have ") +
+      std::to_string(sourceLoops.size()) + " boundary loop(s), the " + targetName + " " +
+      std::to_string(targetLoops.size()) + ". Both caps of a sweep have the same holes.");
   }
   const std::vector<ClosedPolygon> source = polygons(sourcePoints, sourceLoops);
   std::vector<ClosedPolygon> target = polygons(targetPoints, targetLoops);

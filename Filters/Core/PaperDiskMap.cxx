@@ -113,10 +113,10 @@ CanonicalBoundary canonicalBoundary(const TriangleMesh& mesh, const std::vector<
 
 PaperDisks paperDiskMap(const TriangleMesh& source, const TriangleMesh& target,
   const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress)
+  const Progress& progress, const CapNames& names)
 {
   reportProgress(progress, 0.0);
-  const CapBoundaries caps = matchCapBoundaries(source, target, pairs, matchTolerance);
+  const CapBoundaries caps = matchCapBoundaries(source, target, pairs, matchTolerance, names);
   reportProgress(progress, 0.3);
   PaperDisks result;
   result.disks.pairs = caps.pairs;

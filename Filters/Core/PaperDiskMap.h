@@ -80,7 +80,7 @@ struct PaperDisks
  */
 PaperDisks paperDiskMap(const TriangleMesh& source, const TriangleMesh& target,
   const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress = {});
+  const Progress& progress = {}, const CapNames& names = {});
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceLaplacian.h"
 
+#include "Describe.h"
 #include "Errors.h"
 
 #include <Eigen/Geometry>
@@ -95,9 +96,12 @@ SparseMatrix assemble(Index n, const TrianglesRef& triangles, const Weight& weig
   return matrix;
 }
 
-[[noreturn]] void failFlat(Index triangle)
+/// Names places, not numbers: the triangulation may have been refined since the user saw it.
+[[noreturn]] void failFlat(
+  const PointsRef& points, const Eigen::Ref<const Eigen::Matrix<Index, 1, 3>>& triangle)
 {
-  throw InvalidInput("triangle " + std::to_string(triangle) +
+  throw InvalidInput("the triangle with the corners " + describe(points.row(triangle[0])) + ", " +
+    describe(points.row(triangle[1])) + " and " + describe(points.row(triangle[2])) +
     " has no area, so that no angle is defined. Remove degenerate triangles (in ParaView: Clean) "
     "or triangulate again.");
 }
@@ -114,6 +118,12 @@ Eigen::RowVector3d cornerCotangents(
     result[c] = u.dot(v) / u.cross(v).norm();
   }
   return result;
+}
+
+/// tan(a/2) = sin a / (1 + cos a) of the angle a between u and v.
+double halfAngleTangent(const Eigen::RowVector3d& u, const Eigen::RowVector3d& v)
+{
+  return u.cross(v).norm() / (u.norm() * v.norm() + u.dot(v));
 }
 }
 
@@ -133,7 +143,7 @@ SparseMatrix cotangentLaplacian(const PointsRef& points, const TrianglesRef& tri
     const Eigen::RowVector3d cot = cornerCotangents(points, triangles.row(t));
     if (!cot.allFinite())
     {
-      failFlat(t);
+      failFlat(points, triangles.row(t));
     }
     CornerWeights w;
     w << 0.0, cot[2], cot[1], cot[2], 0.0, cot[0], cot[1], cot[0], 0.0;
@@ -154,17 +164,32 @@ SparseMatrix meanValueLaplacian(const PointsRef& points, const TrianglesRef& tri
       const Eigen::RowVector3d v = points.row(triangles(t, k)) - apex;
       const double lu = u.norm();
       const double lv = v.norm();
-      // tan(a/2) = sin a / (1 + cos a)
-      const double tangent = u.cross(v).norm() / (lu * lv + u.dot(v));
+      const double tangent = halfAngleTangent(u, v);
       if (!std::isfinite(tangent) || !(tangent > 0.0))
       {
-        failFlat(t);
+        failFlat(points, triangles.row(t));
       }
       w(c, j) = tangent / lu;
       w(c, k) = tangent / lv;
     }
     return w;
   });
+}
+
+bool hasWeights(
+  const PointsRef& points, const Eigen::Ref<const Eigen::Matrix<Index, 1, 3>>& triangle)
+{
+  bool finite = true;
+  for (Index c = 0; c < 3; ++c)
+  {
+    const Eigen::RowVector3d corner = points.row(triangle[c]);
+    const Eigen::RowVector3d u = points.row(triangle[(c + 1) % 3]) - corner;
+    const Eigen::RowVector3d v = points.row(triangle[(c + 2) % 3]) - corner;
+    const double tangent = halfAngleTangent(u, v);
+    finite = finite && std::isfinite(u.dot(v) / u.cross(v).norm()) && std::isfinite(tangent) &&
+      tangent > 0.0;
+  }
+  return finite;
 }
 
 SparseMatrix surfaceLaplacian(

@@ -52,6 +52,10 @@ SparseMatrix cotangentLaplacian(const PointsRef& points, const TrianglesRef& tri
  */
 SparseMatrix meanValueLaplacian(const PointsRef& points, const TrianglesRef& triangles);
 
+/// Whether a triangle has angles that give finite weights of both kinds, as one with area has.
+bool hasWeights(
+  const PointsRef& points, const Eigen::Ref<const Eigen::Matrix<Index, 1, 3>>& triangle);
+
 /// Either of the two.
 SparseMatrix surfaceLaplacian(
   const PointsRef& points, const TrianglesRef& triangles, Weights weights);

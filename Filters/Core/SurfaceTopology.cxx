@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceTopology.h"
 
+#include "Describe.h"
 #include "Errors.h"
 
 #include <algorithm>
@@ -214,7 +215,8 @@ SurfaceTopology checkSurface(const FacesRef& faces, Index numberOfPoints, const 
 {
   if (faces.rows() == 0)
   {
-    throw InvalidInput("the " + what + " have no faces. Connect a surface mesh.");
+    throw InvalidInput(
+      "the " + what + verb(what, " has", " have") + " no faces. Connect a surface mesh.");
   }
   checkCorners(faces, numberOfPoints, what);
 
@@ -339,20 +341,22 @@ void checkCap(const SurfaceTopology& topology, const std::string& what)
   const Index loops = static_cast<Index>(topology.loops.size());
   if (topology.numberOfComponents != 1)
   {
-    throw InvalidInput("the " + what + " fall into " + std::to_string(topology.numberOfComponents) +
+    throw InvalidInput("the " + what + verb(what, " falls", " fall") + " into " +
+      std::to_string(topology.numberOfComponents) +
       " pieces that no edge joins. A cap is one piece: merge coincident points (in ParaView: "
       "Clean to Grid) or sweep the pieces one by one.");
   }
   if (loops == 0)
   {
-    throw InvalidInput("the " + what +
-      " form a closed surface without a boundary loop. Pass the cap alone, not the whole boundary "
+    throw InvalidInput("the " + what + verb(what, " is", " form") +
+      " a closed surface without a boundary loop. Pass the cap alone, not the whole boundary "
       "of the volume.");
   }
   const Index genus = (2 - loops - topology.eulerCharacteristic) / 2;
   if (genus != 0)
   {
-    throw InvalidInput("the " + what + " have genus " + std::to_string(genus) +
+    throw InvalidInput("the " + what + verb(what, " has", " have") + " genus " +
+      std::to_string(genus) +
       " (a handle); a cap must be a disk with holes. Cut the handle open or check for faces that "
       "bridge the cap.");
   }

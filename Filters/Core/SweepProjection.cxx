@@ -33,13 +33,15 @@ Progress part(const Progress& progress, double from, double to)
 }
 
 CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
-  const LinkedLoops& linked, Weights weights, double matchTolerance, const Progress& progress)
+  const LinkedLoops& linked, Weights weights, double matchTolerance, const Progress& progress,
+  const CapNames& names)
 {
   if (!linked.swapped)
   {
-    return commonDiskMap(cap, partner, linked.pairs, weights, matchTolerance, progress);
+    return commonDiskMap(cap, partner, linked.pairs, weights, matchTolerance, progress, names);
   }
-  CommonDisks disks = commonDiskMap(partner, cap, linked.pairs, weights, matchTolerance, progress);
+  CommonDisks disks = commonDiskMap(partner, cap, linked.pairs, weights, matchTolerance, progress,
+    { names.second, names.first, names.rings });
   std::swap(disks.first, disks.second);
   return disks;
 }
@@ -58,17 +60,20 @@ std::vector<LoopPair> sourceFirst(LinkedLoops linked)
 }
 
 LinkedLoops link(const TriangleMesh& cap, const TriangleMesh& partner, const QuadMesh& linking,
-  double matchTolerance)
+  double matchTolerance, const CapNames& names)
 {
-  return linkLoops(cap.points,
-    checkSurface(cap.triangles, cap.points.rows(), "triangles of the cap").loops, partner.points,
-    checkSurface(partner.triangles, partner.points.rows(), "triangles of the partner").loops,
+  return linkLoops(cap.points, checkSurface(cap.triangles, cap.points.rows(), names.first).loops,
+    partner.points, checkSurface(partner.triangles, partner.points.rows(), names.second).loops,
     linking.points, linking.quads, matchTolerance);
 }
 
 BoundaryMismatch mismatchOf(const TriangleMesh& cap, const std::string& what,
   const std::vector<Points>& rings, double matchTolerance)
 {
+  if (rings.empty())
+  {
+    return {};
+  }
   return boundaryMismatch(
     cap.points, checkSurface(cap.triangles, cap.points.rows(), what).loops, rings, matchTolerance);
 }
@@ -108,7 +113,8 @@ Boundary placeBoundary(
     return boundary;
   }
   MatchedLoops matched = matchLoopsByShape(input.source.points, loops, target.points,
-    checkSurface(target.triangles, target.points.rows(), "target surface").loops);
+    checkSurface(target.triangles, target.points.rows(), "target surface").loops, "source quads",
+    "target surface");
   for (std::size_t l = 0; l < loops.size(); ++l)
   {
     for (std::size_t j = 0; j < loops[l].size(); ++j)
@@ -240,11 +246,13 @@ LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
 {
   const TriangleMesh first = oriented(cap, "input surface");
   const TriangleMesh second = oriented(partner, "partner surface");
+  const CapNames names{ "input surface", "partner surface",
+    linking ? "linking sides" : "input surface" };
   LinkedLoops linked;
   MatchedLoops matched;
   if (linking)
   {
-    linked = link(first, second, *linking, matchTolerance);
+    linked = link(first, second, *linking, matchTolerance, names);
   }
   else
   {
@@ -256,7 +264,7 @@ LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   }
   LinkedDisks disks;
   static_cast<CommonDisks&>(disks) =
-    mapPairs(first, second, linked, weights, matchTolerance, progress);
+    mapPairs(first, second, linked, weights, matchTolerance, progress, names);
   std::vector<Points> rings;
   for (const LoopPair& pair : linked.pairs)
   {
@@ -318,24 +326,27 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
       }
       result.sourceMismatch =
         mismatchOf(source, "source surface", firstRings, input.matchTolerance);
+      const CapNames names{ input.sourceSurface ? "source surface" : "source quads",
+        "target surface", input.linking ? "linking sides" : "source quads" };
       LinkedLoops linked;
       linked.pairs = boundary.shapePairs;
       if (input.linking)
       {
-        linked = link(source, target, *input.linking, input.matchTolerance);
+        linked = link(source, target, *input.linking, input.matchTolerance, names);
       }
       const Progress mapping = part(progress, 0.05, 0.6);
       CommonDisks disks;
       if (input.method == ProjectionMethod::PaperHarmonic)
       {
         PaperDisks pinned = paperDiskMap(source, target, sourceFirst(std::move(linked)),
-          input.weights, input.matchTolerance, mapping);
+          input.weights, input.matchTolerance, mapping, names);
         disks = std::move(pinned.disks);
         result.nitsche = pinned.nitsche;
       }
       else
       {
-        disks = mapPairs(source, target, linked, input.weights, input.matchTolerance, mapping);
+        disks =
+          mapPairs(source, target, linked, input.weights, input.matchTolerance, mapping, names);
       }
       result.source = std::move(disks.first);
       result.target = std::move(disks.second);

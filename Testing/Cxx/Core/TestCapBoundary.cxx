@@ -257,7 +257,8 @@ TEST(CapBoundary, LoopsThatDoNotBelong)
     hexsweep::matchCapBoundaries(first, second, pairs, 1e-6);
   };
   std::vector<LoopPair> pairs = circlePairs(24, 12);
-  test::expectInvalid([&] { match({ pairs[0] }); }, "2 boundary loop(s), but 1 are linked");
+  test::expectInvalid(
+    [&] { match({ pairs[0] }); }, "2 boundary loop(s), but the linking sides have 1");
 
   pairs[1].second.col(0).array() += 0.2;
   test::expectInvalid([&] { match(pairs); }, "does not lie on the boundary of the second cap");
@@ -278,6 +279,20 @@ TEST(CapBoundary, LoopsThatDoNotBelong)
   twice << pairs[0].second, pairs[0].second;
   pairs[0].second = twice;
   test::expectInvalid([&] { match(pairs); }, "does not run once round");
+}
+
+TEST(CapBoundary, MessagesUseTheNamesThatTheUserKnows)
+{
+  const TriangleMesh first = test::annulus(0.4, 1.0, 4, 36);
+  const TriangleMesh second = moved(test::annulus(0.4, 1.0, 3, 25), 2.0);
+  const hexsweep::CapNames names{ "source surface", "target surface", "source quads" };
+  std::vector<LoopPair> pairs = circlePairs(24, 12);
+  test::expectInvalid(
+    [&] { hexsweep::matchCapBoundaries(first, second, { pairs[0] }, 1e-6, names); },
+    "the source surface has 2 boundary loop(s), but the source quads have 1");
+  pairs[1].second.col(0).array() += 0.2;
+  test::expectInvalid([&] { hexsweep::matchCapBoundaries(first, second, pairs, 1e-6, names); },
+    "a loop of the source quads does not lie on the boundary of the target surface");
 }
 
 TEST(CapBoundary, LinkingSidesThatEndElsewhere)

@@ -269,6 +269,13 @@ TEST(SurfaceLaplacian, TrianglesWithoutAreaAreNamed)
   Points line(3, 3);
   line << 0, 0, 0, 1, 0, 0, 2, 0, 0;
   const auto one = test::facesOf<hexsweep::Triangles>({ 0, 1, 2 });
-  test::expectInvalid([&] { hexsweep::cotangentLaplacian(line, one); }, "triangle 0");
-  test::expectInvalid([&] { hexsweep::meanValueLaplacian(line, one); }, "triangle 0");
+  EXPECT_FALSE(hexsweep::hasWeights(line, one.row(0)));
+  EXPECT_FALSE(hexsweep::hasWeights(Points(0.0 * line), one.row(0)));
+  line.row(2) << 1, 1e-6, 0;
+  EXPECT_TRUE(hexsweep::hasWeights(1e-6 * line, one.row(0)));
+  line.row(2) << 2, 0, 0;
+  test::expectInvalid([&] { hexsweep::cotangentLaplacian(line, one); },
+    "corners (0, 0, 0), (1, 0, 0) and (2, 0, 0) has no area");
+  test::expectInvalid([&] { hexsweep::meanValueLaplacian(line, one); },
+    "corners (0, 0, 0), (1, 0, 0) and (2, 0, 0) has no area");
 }

@@ -498,7 +498,7 @@ TEST(HarmonicDiskMap, MissingInput)
 TEST(HarmonicDiskMap, EmptyInput)
 {
   Map map(test::emptyGrid());
-  expectOneError(map.filter, "the input surface are empty");
+  expectOneError(map.filter, "the input surface is empty");
   const Grid points = test::readGrid("ubend/target_surface");
   Grid noCells = Grid::New();
   noCells->SetPoints(points->GetPoints());
@@ -512,7 +512,7 @@ TEST(HarmonicDiskMap, EmptyPartnerAndLinkingSides)
 {
   const test::SweepGrids sweep = test::readCase("ubend");
   Map partner(sweep.sourceSurface, test::emptyGrid());
-  expectOneError(partner.filter, "the partner surface are empty");
+  expectOneError(partner.filter, "the partner surface is empty");
   Map linking(sweep.sourceSurface, sweep.targetSurface, test::emptyGrid());
   expectOneError(linking.filter, "the linking sides are empty");
 }
@@ -554,11 +554,28 @@ TEST(HarmonicDiskMap, SurfacesThatAreNoManifold)
   Map point(test::gridOf(points, { { 0, 1, 2 }, { 0, 4, 5 } }, VTK_TRIANGLE));
   expectOneError(point.filter, "point 0");
   Map pieces(test::gridOf(points, { { 0, 1, 2 }, { 3, 4, 5 } }, VTK_TRIANGLE));
-  expectOneError(pieces.filter, "2 pieces");
+  expectOneError(pieces.filter, "the input surface falls into 2 pieces");
   Map collapsed(test::gridOf(points, { { 0, 1, 1 } }, VTK_TRIANGLE));
   expectOneError(collapsed.filter, "twice");
   Map flat(test::gridOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { { 0, 1, 2 } }, VTK_TRIANGLE));
   expectOneError(flat.filter, "no area");
+}
+
+TEST(HarmonicDiskMap, ACellWithoutAreaIsNamedAsTheUserSeesIt)
+{
+  // The vertex cell counts: cell 2 is the third of the data set, the second triangle.
+  const Grid good = test::readCase("taper10").sourceSurface;
+  Grid flat =
+    test::gridOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 2, 0 } }, {}, VTK_TRIANGLE);
+  for (const Corners& corners : { Corners{ 0 }, Corners{ 0, 1, 2 }, Corners{ 0, 2, 3 } })
+  {
+    flat->InsertNextCell(corners.size() == 1 ? VTK_VERTEX : VTK_TRIANGLE,
+      static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  Map input(flat);
+  expectOneError(input.filter, "the input surface: cell 2 at (0, 1, 0) has no area");
+  Map partner(good, flat);
+  expectOneError(partner.filter, "the partner surface: cell 2 at (0, 1, 0) has no area");
 }
 
 TEST(HarmonicDiskMap, CellsThatAreNoSurface)
@@ -581,7 +598,7 @@ TEST(HarmonicDiskMap, DifferentNumbersOfHoles)
   EXPECT_EQ(events.errors.size(), 1u);
   EXPECT_TRUE(test::isEmpty(map.filter));
   Map byShape(one.sourceSurface, two.targetSurface);
-  expectOneError(byShape.filter, "loop(s)");
+  expectOneError(byShape.filter, "the input surface has 1 boundary loop(s), the partner surface 2");
 }
 
 TEST(HarmonicDiskMap, LoopsThatDoNotMatch)
@@ -591,7 +608,7 @@ TEST(HarmonicDiskMap, LoopsThatDoNotMatch)
   const Grid wide = test::changedPoints(
     sweep.linkingSides, [](vtkIdType, std::array<double, 3>& p) { p[0] *= 1.2; });
   Map map(sweep.sourceSurface, sweep.targetSurface, wide);
-  expectOneError(map.filter, "does not lie on the boundary");
+  expectOneError(map.filter, "a loop of the linking sides does not lie on the boundary of the ");
   Map other(sweep.sourceSurface, sweep.targetSurface, test::readGrid("c_open/linking_quads"));
   test::Events events(other.filter);
   other.filter->Update();

@@ -863,7 +863,8 @@ TEST(SweepQuadProjector, EmptyInputs)
   {
     Projection projection(test::readCase("ubend"));
     projection.filter->SetInputData(port, test::emptyGrid());
-    expectOneError(projection.filter, std::string("the ") + names[port] + " are empty");
+    expectOneError(projection.filter,
+      std::string("the ") + names[port] + (port % 2 == 0 ? " are empty" : " is empty"));
   }
 }
 

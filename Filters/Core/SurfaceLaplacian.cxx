@@ -3,6 +3,7 @@
 
 #include "Describe.h"
 #include "Errors.h"
+#include "IntrinsicDelaunay.h"
 
 #include <Eigen/Geometry>
 
@@ -52,9 +53,10 @@ SparseMatrix assemble(Index n, const TrianglesRef& triangles, const Weight& weig
       const Index j = triangles(t, c);
       for (Index r = 0; r < 3; ++r)
       {
-        if (r != c)
+        const Index i = triangles(t, r);
+        // An intrinsic triangle may have a corner twice; the side between them weighs nothing.
+        if (r != c && i != j)
         {
-          const Index i = triangles(t, r);
           Index& place = next[static_cast<std::size_t>(j)];
           entries[static_cast<std::size_t>(place++)] = { static_cast<int>(i), w(r, c) };
           diagonal[i] += w(r, c);
@@ -68,7 +70,7 @@ SparseMatrix assemble(Index n, const TrianglesRef& triangles, const Weight& weig
   for (Index j = 0; j < n; ++j)
   {
     const auto begin = entries.begin() + columns[static_cast<std::size_t>(j)];
-    const auto end = entries.begin() + columns[static_cast<std::size_t>(j) + 1];
+    const auto end = entries.begin() + next[static_cast<std::size_t>(j)];
     std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.row < b.row; });
     matrix.startVec(j);
     bool diagonalDone = begin == end;
@@ -125,6 +127,13 @@ double halfAngleTangent(const Eigen::RowVector3d& u, const Eigen::RowVector3d& v
 {
   return u.cross(v).norm() / (u.norm() * v.norm() + u.dot(v));
 }
+
+CornerWeights cornerWeights(const Eigen::RowVector3d& cot)
+{
+  CornerWeights w;
+  w << 0.0, cot[2], cot[1], cot[2], 0.0, cot[0], cot[1], cot[0], 0.0;
+  return w;
+}
 }
 
 Points cotangents(const PointsRef& points, const TrianglesRef& triangles)
@@ -145,10 +154,14 @@ SparseMatrix cotangentLaplacian(const PointsRef& points, const TrianglesRef& tri
     {
       failFlat(points, triangles.row(t));
     }
-    CornerWeights w;
-    w << 0.0, cot[2], cot[1], cot[2], 0.0, cot[0], cot[1], cot[0], 0.0;
-    return w;
+    return cornerWeights(cot);
   });
+}
+
+SparseMatrix laplacianOfCotangents(
+  Index numberOfPoints, const TrianglesRef& triangles, const PointsRef& cot)
+{
+  return assemble(numberOfPoints, triangles, [&](Index t) { return cornerWeights(cot.row(t)); });
 }
 
 SparseMatrix meanValueLaplacian(const PointsRef& points, const TrianglesRef& triangles)
@@ -195,7 +208,14 @@ bool hasWeights(
 SparseMatrix surfaceLaplacian(
   const PointsRef& points, const TrianglesRef& triangles, Weights weights)
 {
-  return weights == Weights::Cotangent ? cotangentLaplacian(points, triangles)
-                                       : meanValueLaplacian(points, triangles);
+  switch (weights)
+  {
+    case Weights::MeanValue:
+      return meanValueLaplacian(points, triangles);
+    case Weights::Intrinsic:
+      return intrinsicLaplacian(points, triangles);
+    default:
+      return cotangentLaplacian(points, triangles);
+  }
 }
 }

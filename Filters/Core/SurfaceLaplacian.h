@@ -21,7 +21,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 enum class Weights
 {
   Cotangent, ///< equation (1); exact for the metric, negative on obtuse triangles
-  MeanValue  ///< Floater 2003; positive on every triangulation, not symmetric
+  MeanValue, ///< Floater 2003; positive on every triangulation, not symmetric
+  Intrinsic  ///< equation (1) on the intrinsic Delaunay triangulation, see intrinsicLaplacian()
 };
 
 /**
@@ -43,6 +44,11 @@ Points cotangents(const PointsRef& points, const TrianglesRef& triangles);
  */
 SparseMatrix cotangentLaplacian(const PointsRef& points, const TrianglesRef& triangles);
 
+/// The same from the cotangents of triangles (see cotangents()); an edge from a vertex to itself
+/// adds nothing.
+SparseMatrix laplacianOfCotangents(
+  Index numberOfPoints, const TrianglesRef& triangles, const PointsRef& cotangents);
+
 /**
  * The matrix of M. S. Floater's mean value coordinates ("Mean value coordinates", CAGD 20, 2003):
  * w_ij = (tan(a/2) + tan(b/2)) / |v_i v_j|, a and b the angles at v_i beside the edge.
@@ -56,7 +62,7 @@ SparseMatrix meanValueLaplacian(const PointsRef& points, const TrianglesRef& tri
 bool hasWeights(
   const PointsRef& points, const Eigen::Ref<const Eigen::Matrix<Index, 1, 3>>& triangle);
 
-/// Either of the two.
+/// Any of them.
 SparseMatrix surfaceLaplacian(
   const PointsRef& points, const TrianglesRef& triangles, Weights weights);
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hexsweep
 {
@@ -41,24 +42,21 @@ bool mapConformally(CapDisk& cap)
   const double start = annulus.angle[cap.loops[0][0]];
   cap.domain = DiskDomain::Annulus;
   cap.holes = { { { 0.0, 0.0 }, annulus.innerRadius } };
-  mapWithFallback(cap, Weights::Cotangent, [&](Weights) {
-    PlanePoints disk(cap.mesh.points.rows(), 2);
-    for (Index i = 0; i < disk.rows(); ++i)
-    {
-      const double angle = annulus.angle[i] - start;
-      disk.row(i) = std::pow(annulus.innerRadius, annulus.height[i]) *
-        Eigen::RowVector2d(std::cos(angle), std::sin(angle));
-    }
-    return disk;
-  });
+  cap.disk.resize(cap.mesh.points.rows(), 2);
+  for (Index i = 0; i < cap.disk.rows(); ++i)
+  {
+    const double angle = annulus.angle[i] - start;
+    cap.disk.row(i) = std::pow(annulus.innerRadius, annulus.height[i]) *
+      Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+  }
+  cap.flipped = domainTriangles(cap.domain, cap.disk, cap.mesh.triangles).flipped;
   cap.rounds = { { cap.holes, std::numeric_limits<double>::infinity() } };
   cap.circularity = { 0.0, 0.0 };
   return cap.flipped.empty();
 }
-}
 
-CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
-  const KoebeLimits& limits, const Progress& progress)
+CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
+  TriangulationImprovement improvement, const KoebeLimits& limits, const Progress& progress)
 {
   reportProgress(progress, 0.0);
   checkCap(checkSurface(mesh.triangles, mesh.points.rows(), "input surface"), "input surface");
@@ -68,6 +66,7 @@ CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weig
   cap.mesh = std::move(refined.mesh);
   cap.triangleOrigin = std::move(refined.triangleOrigin);
   cap.numberOfOriginalPoints = mesh.points.rows();
+  weights = improveCap(cap, mesh, weights, improvement);
   cap.loops = checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), "input surface").loops;
   const Points& points = cap.mesh.points;
   const auto outer =
@@ -101,9 +100,25 @@ CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weig
   cap.rounds = std::move(map.rounds);
   cap.circularity = std::move(map.circularity);
   cap.converged = map.converged;
-  mapWithFallback(
-    cap, weights, [&](Weights w) { return mapToPlane(cap.mesh, cap.loops, map.places, w); });
+  mapWithFallback(cap, weights, map.places);
   reportProgress(progress, 1.0);
+  return cap;
+}
+}
+
+CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
+  TriangulationImprovement improvement, const KoebeLimits& limits, const Progress& progress)
+{
+  CapDisk cap = mapOnce(mesh, treatment, weights, improvement, limits, progress);
+  if (improvement != TriangulationImprovement::Off && !cap.flipped.empty())
+  {
+    CapDisk plain =
+      mapOnce(mesh, treatment, weights, TriangulationImprovement::Off, limits, progress);
+    if (plain.flipped.size() < cap.flipped.size())
+    {
+      cap = std::move(plain);
+    }
+  }
   return cap;
 }
 }

@@ -28,12 +28,14 @@ enum class HoleTreatment
  *
  * Chords are split first (see refineSurface()). With one loop the three treatments are the same.
  *
- * @param mesh   consistently oriented.
- * @param limits of Koebe's iteration.
+ * @param mesh        consistently oriented.
+ * @param improvement see improveCap().
+ * @param limits      of Koebe's iteration.
  * @throw InvalidInput when the mesh is no cap (see checkCap()), or as koebeMap(); SolverFailure,
  *        Aborted.
  */
 CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
+  TriangulationImprovement improvement = TriangulationImprovement::Off,
   const KoebeLimits& limits = {}, const Progress& progress = {});
 }
 

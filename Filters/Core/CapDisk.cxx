@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CapDisk.h"
 
+#include "CommonSubdivision.h"
 #include "DirichletSolver.h"
 #include "Errors.h"
+#include "SurfaceRefinement.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace hexsweep
 {
@@ -81,24 +85,158 @@ std::vector<double> holeAngles(
   return angles;
 }
 
-void mapWithFallback(
-  CapDisk& result, Weights weights, const std::function<PlanePoints(Weights)>& map)
+namespace
 {
-  result.weights = weights;
-  result.disk = map(weights);
-  result.flipped = domainTriangles(result.domain, result.disk, result.mesh.triangles).flipped;
-  result.flipsBefore = static_cast<Index>(result.flipped.size());
-  if (result.flipped.empty() || weights == Weights::MeanValue)
+/// How often triangles that are flipped beside a hole are split at most.
+constexpr int RefinementRounds = 8;
+
+struct Candidate
+{
+  Weights weights;
+  bool cut;
+};
+
+/// What to try, from cheap to dear.
+std::vector<Candidate> candidates(Weights wanted, TriangulationImprovement improvement)
+{
+  const Candidate intrinsic{ Weights::Intrinsic, false };
+  const Candidate meanValue{ Weights::MeanValue, false };
+  const Candidate cut{ Weights::Intrinsic, true };
+  std::vector<Candidate> rest{ meanValue };
+  if (improvement == TriangulationImprovement::Automatic)
   {
-    return;
+    rest = { intrinsic, meanValue, cut };
   }
-  PlanePoints disk = map(Weights::MeanValue);
-  std::vector<Index> flipped = domainTriangles(result.domain, disk, result.mesh.triangles).flipped;
-  if (flipped.size() < result.flipped.size())
+  else if (improvement == TriangulationImprovement::On)
   {
-    result.disk = std::move(disk);
-    result.flipped = std::move(flipped);
-    result.weights = Weights::MeanValue;
+    rest = { intrinsic, cut, meanValue };
+  }
+  std::vector<Candidate> all{ { wanted, false } };
+  for (const Candidate& candidate : rest)
+  {
+    if (candidate.cut || candidate.weights != wanted)
+    {
+      all.push_back(candidate);
+    }
+  }
+  return all;
+}
+
+/// Puts a changed triangulation of the cap's mesh in its place.
+void install(CapDisk& cap, ImprovedTriangulation improved)
+{
+  for (Index& origin : improved.triangleOrigin)
+  {
+    origin = cap.triangleOrigin[static_cast<std::size_t>(origin)];
+  }
+  cap.mesh = std::move(improved.mesh);
+  cap.triangleOrigin = std::move(improved.triangleOrigin);
+  cap.edgeFlips += improved.flips;
+  cap.addedPoints += improved.addedPoints;
+}
+}
+
+Weights improveCap(
+  CapDisk& cap, const TriangleMesh& asked, Weights weights, TriangulationImprovement improvement)
+{
+  cap.improvement = improvement;
+  const ImprovementPlan plan = planImprovement(asked, improvement);
+  if (!plan.flip && !plan.refine)
+  {
+    return weights;
+  }
+  install(cap, improveTriangulation(cap.mesh, plan));
+  const bool intrinsic = weights == Weights::Cotangent &&
+    (improvement == TriangulationImprovement::On || isStretched(cap.mesh));
+  return intrinsic ? Weights::Intrinsic : weights;
+}
+
+void mapWithFallback(CapDisk& cap, Weights weights, const std::function<PlanePoints(Weights)>& map)
+{
+  const auto flips = [&cap](const PlanePoints& disk, const Triangles& triangles) {
+    return domainTriangles(cap.domain, disk, triangles).flipped;
+  };
+  const std::vector<Candidate> all = candidates(weights, cap.improvement);
+  PlanePoints intrinsicDisk;
+  std::optional<CutSurface> kept; // if the best is a cut one
+  for (std::size_t i = 0; i < all.size() && (i == 0 || !cap.flipped.empty()); ++i)
+  {
+    CutSurface cut;
+    PlanePoints disk;
+    std::vector<Index> flipped;
+    if (all[i].cut)
+    {
+      const IntrinsicTriangulation intrinsic =
+        intrinsicDelaunay(cap.mesh.points, cap.mesh.triangles);
+      if (!flips(intrinsicDisk, intrinsic.triangles).empty())
+      {
+        continue; // their pieces would be flipped as well
+      }
+      cut = cutAlongIntrinsicEdges(
+        cap.mesh, intrinsic, cap.domain, intrinsicDisk, flips(intrinsicDisk, cap.mesh.triangles));
+      disk = cut.disk;
+      flipped = flips(disk, cut.mesh.triangles);
+    }
+    else
+    {
+      disk = map(all[i].weights);
+      flipped = flips(disk, cap.mesh.triangles);
+      intrinsicDisk = all[i].weights == Weights::Intrinsic ? disk : intrinsicDisk;
+    }
+    cap.flipsBefore = i == 0 ? static_cast<Index>(flipped.size()) : cap.flipsBefore;
+    if (i == 0 || flipped.size() < cap.flipped.size())
+    {
+      cap.disk = std::move(disk);
+      cap.flipped = std::move(flipped);
+      cap.weights = all[i].weights;
+      kept.reset();
+      if (all[i].cut)
+      {
+        kept = std::move(cut);
+      }
+    }
+  }
+  if (kept)
+  {
+    const Index added = kept->mesh.points.rows() - cap.mesh.points.rows();
+    install(cap, { std::move(kept->mesh), std::move(kept->triangleOrigin), 0, added });
+  }
+}
+
+void mapWithFallback(CapDisk& cap, Weights weights, const std::vector<PlanePoints>& places)
+{
+  const auto mapped = [&](CapDisk result) {
+    const TriangleMesh mesh = result.mesh;
+    mapWithFallback(
+      result, weights, [&](Weights w) { return mapToPlane(mesh, result.loops, places, w); });
+    return result;
+  };
+  CapDisk uncut = cap;
+  cap = mapped(std::move(cap));
+  for (int round = 0; round < RefinementRounds && !cap.flipped.empty() &&
+       cap.improvement != TriangulationImprovement::Off;
+       ++round)
+  {
+    const IntrinsicTriangulation intrinsic =
+      intrinsicDelaunay(uncut.mesh.points, uncut.mesh.triangles);
+    const PlanePoints disk = mapToPlane(uncut.mesh, uncut.loops, places, Weights::Intrinsic);
+    const std::vector<EdgeSubdivision> subdivisions = middlesOfIntrinsicEdges(
+      intrinsic, domainTriangles(cap.domain, disk, intrinsic.triangles).flipped);
+    if (subdivisions.empty())
+    {
+      break;
+    }
+    RefinedSurface refined = refineSurface(uncut.mesh, subdivisions, false);
+    const Index added = refined.mesh.points.rows() - uncut.mesh.points.rows();
+    install(uncut, { std::move(refined.mesh), std::move(refined.triangleOrigin), 0, added });
+    CapDisk finer = uncut;
+    install(finer, improveTriangulation(finer.mesh, { true, false }));
+    finer = mapped(std::move(finer));
+    finer.flipsBefore = cap.flipsBefore;
+    if (finer.flipped.size() < cap.flipped.size())
+    {
+      cap = std::move(finer);
+    }
   }
 }
 }

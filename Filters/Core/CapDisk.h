@@ -9,6 +9,7 @@
 #include "DiskDomain.h"
 #include "FilledDiskMap.h"
 #include "KoebeMap.h"
+#include "TriangulationImprovement.h"
 
 namespace hexsweep
 {
@@ -33,6 +34,9 @@ struct CapDisk
   /// See KoebeMap; one number a loop, or empty.
   std::vector<double> circularity;
   bool converged = true; ///< whether the iteration came to its tolerance
+  TriangulationImprovement improvement = TriangulationImprovement::Off; ///< what is allowed
+  Index edgeFlips = 0;   ///< of the surface's own edges
+  Index addedPoints = 0; ///< that the improvement took
 };
 
 /// Flags the nodes of all loops; n entries.
@@ -60,10 +64,35 @@ std::vector<double> holeAngles(const std::vector<double>& lengths, const PlanePo
   const Loop& loop, const Circle& hole);
 
 /**
- * Calls map(weights) and keeps what has the fewest flips: the wanted weights first, mean value
- * weights if those fold. Fills disk, weights, flipped and flipsBefore.
+ * Carries out planImprovement(`asked`) on a cap's mesh and lets mapWithFallback() do the rest; with
+ * Off nothing changes.
+ *
+ * @param asked the cap as it was given, before points were put on its loops and chords.
+ * @return the weights to map with: `weights`, or intrinsic instead of cotangent ones where edges
+ *         that cannot be flipped leave the triangulation stretched, and always with On.
+ */
+Weights improveCap(
+  CapDisk& cap, const TriangleMesh& asked, Weights weights, TriangulationImprovement improvement);
+
+/**
+ * Calls map(weights) and keeps what has the fewest flips. Fills disk, weights, flipped and
+ * flipsBefore.
+ *
+ * The wanted weights come first. Where they fold: those of the intrinsic Delaunay triangulation
+ * (unless improvement is Off), then mean value weights, then intrinsic ones with the triangles cut
+ * (see cutAlongIntrinsicEdges()), which changes mesh and triangleOrigin. With On mean value
+ * weights are the last to be tried.
+ *
+ * @param map a map of cap.mesh as it is before the call; one row a point.
  */
 void mapWithFallback(CapDisk& cap, Weights weights, const std::function<PlanePoints(Weights)>& map);
+
+/**
+ * The same for mapToPlane() of cap.mesh. Where the domain is not convex a harmonic map can flip
+ * triangles beside a hole whatever its weights: their edges are then halved (not with Off) and the
+ * map made again.
+ */
+void mapWithFallback(CapDisk& cap, Weights weights, const std::vector<PlanePoints>& places);
 }
 
 #endif

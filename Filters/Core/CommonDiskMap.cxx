@@ -24,6 +24,20 @@ constexpr double CommonHoleShrink = 0.4;
 constexpr double LeastLogRadius = 0.2;
 constexpr double GreatestLogRadius = 5.0;
 
+/// Weights to map each cap with.
+struct CapWeights
+{
+  Weights first;
+  Weights second;
+};
+
+/// What measures a cap: the metric's own weights, whatever weights its map is to have.
+SparseMatrix symmetricLaplacian(const TriangleMesh& mesh, Weights weights)
+{
+  return surfaceLaplacian(
+    mesh.points, mesh.triangles, weights == Weights::MeanValue ? Weights::Cotangent : weights);
+}
+
 std::vector<double> mean(const std::vector<double>& a, const std::vector<double>& b)
 {
   std::vector<double> result(a.size());
@@ -68,13 +82,14 @@ PlanePoints mapToAnnulus(const CapBoundary& cap, const CylinderCap& own,
   return disk;
 }
 
-void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
+void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, const CapWeights& weights)
 {
-  const auto measure = [](const CapBoundary& cap) {
-    return measureCylinder(cap.mesh.points, cap.mesh.triangles, cap.loops);
+  const auto measure = [](const CapBoundary& cap, Weights own) {
+    return measureCylinder(
+      symmetricLaplacian(cap.mesh, own), cap.mesh.points, cap.mesh.triangles, cap.loops);
   };
-  const CylinderCap first = measure(caps.first);
-  const CylinderCap second = measure(caps.second);
+  const CylinderCap first = measure(caps.first, weights.first);
+  const CylinderCap second = measure(caps.second, weights.second);
   const double logRadius =
     std::clamp(0.5 * (first.logRadius + second.logRadius), LeastLogRadius, GreatestLogRadius);
 
@@ -119,9 +134,9 @@ void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
     }
   }
   disks.first.domain = disks.second.domain = DiskDomain::Annulus;
-  mapWithFallback(disks.first, weights,
+  mapWithFallback(disks.first, weights.first,
     [&](Weights w) { return mapToAnnulus(caps.first, first, forFirst, logRadius, w); });
-  mapWithFallback(disks.second, weights,
+  mapWithFallback(disks.second, weights.second,
     [&](Weights w) { return mapToAnnulus(caps.second, second, forSecond, logRadius, w); });
   const std::vector<Circle> holes{ { { 0.0, 0.0 }, std::exp(-logRadius) } };
   disks.first.holes = disks.second.holes = holes;
@@ -130,7 +145,7 @@ void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
 //--------------------------------------------------------------------------------------------------
 // One loop, and three or more: circles.
 
-void mapCircles(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
+void mapCircles(CommonDisks& disks, const CapBoundaries& caps, const CapWeights& weights)
 {
   std::vector<PlanePoints> places;
   const Circle unit{ { 0.0, 0.0 }, 1.0 };
@@ -141,12 +156,11 @@ void mapCircles(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
   std::vector<Circle> holes;
   if (caps.pairs.size() > 1)
   {
-    const auto filled = [&](const CapBoundary& cap) {
-      return filledDiskMap(cotangentLaplacian(cap.mesh.points, cap.mesh.triangles), cap.mesh.points,
-        cap.loops, places[0]);
+    const auto filled = [&](const CapBoundary& cap, Weights w) {
+      return filledDiskMap(symmetricLaplacian(cap.mesh, w), cap.mesh.points, cap.loops, places[0]);
     };
-    const FilledDiskMap first = filled(caps.first);
-    const FilledDiskMap second = filled(caps.second);
+    const FilledDiskMap first = filled(caps.first, weights.first);
+    const FilledDiskMap second = filled(caps.second, weights.second);
     for (std::size_t h = 0; h + 1 < caps.pairs.size(); ++h)
     {
       holes.push_back({ 0.5 * (first.holes[h].center + second.holes[h].center),
@@ -174,10 +188,8 @@ void mapCircles(CommonDisks& disks, const CapBoundaries& caps, Weights weights)
   }
   disks.first.domain = disks.second.domain = holes.empty() ? DiskDomain::Disk : DiskDomain::Circles;
   disks.first.holes = disks.second.holes = holes;
-  mapWithFallback(disks.first, weights,
-    [&](Weights w) { return mapToPlane(caps.first.mesh, caps.first.loops, places, w); });
-  mapWithFallback(disks.second, weights,
-    [&](Weights w) { return mapToPlane(caps.second.mesh, caps.second.loops, places, w); });
+  mapWithFallback(disks.first, weights.first, places);
+  mapWithFallback(disks.second, weights.second, places);
 }
 }
 
@@ -194,22 +206,38 @@ CapDisk unmappedCap(const CapBoundary& cap, Index numberOfOriginalPoints)
 
 CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
   const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress, const CapNames& names)
+  const Progress& progress, const CapNames& names, TriangulationImprovement improvement)
 {
   reportProgress(progress, 0.0);
-  const CapBoundaries caps = matchCapBoundaries(first, second, pairs, matchTolerance, names);
+  CapBoundaries caps = matchCapBoundaries(first, second, pairs, matchTolerance, names);
   reportProgress(progress, 0.3);
   CommonDisks disks;
   disks.pairs = caps.pairs;
   disks.first = unmappedCap(caps.first, first.points.rows());
   disks.second = unmappedCap(caps.second, second.points.rows());
+  const CapWeights capWeights{ improveCap(disks.first, first, weights, improvement),
+    improveCap(disks.second, second, weights, improvement) };
+  caps.first.mesh = disks.first.mesh;
+  caps.second.mesh = disks.second.mesh;
   if (pairs.size() == 2)
   {
-    mapAnnuli(disks, caps, weights);
+    mapAnnuli(disks, caps, capWeights);
   }
   else
   {
-    mapCircles(disks, caps, weights);
+    mapCircles(disks, caps, capWeights);
+  }
+  const auto flips = [](const CommonDisks& d) {
+    return d.first.flipped.size() + d.second.flipped.size();
+  };
+  if (improvement != TriangulationImprovement::Off && flips(disks) > 0)
+  {
+    CommonDisks plain =
+      commonDiskMap(first, second, pairs, weights, matchTolerance, progress, names);
+    if (flips(plain) < flips(disks))
+    {
+      disks = std::move(plain);
+    }
   }
   reportProgress(progress, 1.0);
   return disks;

@@ -25,10 +25,9 @@ bool isMonotone(const std::vector<double>& angles, double direction)
 }
 }
 
-CylinderCap measureCylinder(
-  const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops)
+CylinderCap measureCylinder(const SparseMatrix& laplacian, const PointsRef& points,
+  const TrianglesRef& triangles, const std::vector<Loop>& loops)
 {
-  const SparseMatrix laplacian = cotangentLaplacian(points, triangles);
   CylinderCap result;
   result.angle = windingAngle(points, triangles, laplacian, loops);
   result.correction = conformalCorrection(laplacian, result.angle, loops[0][0]);

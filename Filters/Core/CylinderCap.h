@@ -20,11 +20,12 @@ struct CylinderCap
 };
 
 /**
- * @param loops the outer one and the hole, each with the surface on its left.
+ * @param laplacian symmetric: cotangent weights, or intrinsic ones.
+ * @param loops     the outer one and the hole, each with the surface on its left.
  * @throw InvalidInput (see windingAngle()), SolverFailure.
  */
-CylinderCap measureCylinder(
-  const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops);
+CylinderCap measureCylinder(const SparseMatrix& laplacian, const PointsRef& points,
+  const TrianglesRef& triangles, const std::vector<Loop>& loops);
 
 /// Conformal angles along a loop, unwrapped from its first node.
 std::vector<double> loopAngles(const CylinderCap& cylinder, const Loop& loop);

@@ -96,7 +96,9 @@ CanonicalBoundary canonicalBoundary(const TriangleMesh& mesh, const std::vector<
 {
   if (loops.size() == 2)
   {
-    return annulusBoundary(measureCylinder(mesh.points, mesh.triangles, loops), loops, angles);
+    return annulusBoundary(measureCylinder(cotangentLaplacian(mesh.points, mesh.triangles),
+                             mesh.points, mesh.triangles, loops),
+      loops, angles);
   }
   CanonicalBoundary boundary;
   boundary.places.push_back(circlePoints(UnitCircle, angles[0]));
@@ -127,7 +129,8 @@ PaperDisks paperDiskMap(const TriangleMesh& source, const TriangleMesh& target,
   if (boundary.cylinder)
   {
     const CylinderCap ofSource =
-      measureCylinder(caps.first.mesh.points, caps.first.mesh.triangles, caps.first.loops);
+      measureCylinder(cotangentLaplacian(caps.first.mesh.points, caps.first.mesh.triangles),
+        caps.first.mesh.points, caps.first.mesh.triangles, caps.first.loops);
     result.nitsche =
       nitscheCondition(ofSource, caps.first.loops, *boundary.cylinder, caps.second.loops);
   }

@@ -34,14 +34,15 @@ Progress part(const Progress& progress, double from, double to)
 
 CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
   const LinkedLoops& linked, Weights weights, double matchTolerance, const Progress& progress,
-  const CapNames& names)
+  const CapNames& names, TriangulationImprovement improvement)
 {
   if (!linked.swapped)
   {
-    return commonDiskMap(cap, partner, linked.pairs, weights, matchTolerance, progress, names);
+    return commonDiskMap(
+      cap, partner, linked.pairs, weights, matchTolerance, progress, names, improvement);
   }
   CommonDisks disks = commonDiskMap(partner, cap, linked.pairs, weights, matchTolerance, progress,
-    { names.second, names.first, names.rings });
+    { names.second, names.first, names.rings }, improvement);
   std::swap(disks.first, disks.second);
   return disks;
 }
@@ -242,7 +243,7 @@ Triangles halveQuads(const PointsRef& points, const QuadsRef& quads)
 
 LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
-  const Progress& progress)
+  const Progress& progress, TriangulationImprovement improvement)
 {
   const TriangleMesh first = oriented(cap, "input surface");
   const TriangleMesh second = oriented(partner, "partner surface");
@@ -264,7 +265,7 @@ LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   }
   LinkedDisks disks;
   static_cast<CommonDisks&>(disks) =
-    mapPairs(first, second, linked, weights, matchTolerance, progress, names);
+    mapPairs(first, second, linked, weights, matchTolerance, progress, names, improvement);
   std::vector<Points> rings;
   for (const LoopPair& pair : linked.pairs)
   {
@@ -345,8 +346,8 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
       }
       else
       {
-        disks =
-          mapPairs(source, target, linked, input.weights, input.matchTolerance, mapping, names);
+        disks = mapPairs(source, target, linked, input.weights, input.matchTolerance, mapping,
+          names, input.improvement);
       }
       result.source = std::move(disks.first);
       result.target = std::move(disks.second);

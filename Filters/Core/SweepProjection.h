@@ -38,6 +38,7 @@ struct SweepProjectionInput
   std::optional<CapDisk> targetDisk;
   ProjectionMethod method = ProjectionMethod::Harmonic;
   Weights weights = Weights::Cotangent;
+  TriangulationImprovement improvement = TriangulationImprovement::Automatic; ///< of both caps
   double matchTolerance = 1e-6;
   bool singlePrecision = false; ///< round the points to float before they are judged
   bool ensureValid = false;     ///< untangle what is inverted, see untangleQuads()
@@ -83,7 +84,8 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
  */
 LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
-  const Progress& progress = {});
+  const Progress& progress = {},
+  TriangulationImprovement improvement = TriangulationImprovement::Off);
 
 /// The quads cut in two along their shorter diagonals.
 Triangles halveQuads(const PointsRef& points, const QuadsRef& quads);

@@ -54,12 +54,27 @@ DiskDomain domainNamed(const std::string& name)
 
 const char* nameOf(Weights weights)
 {
-  return weights == Weights::Cotangent ? "Cotangent" : "MeanValue";
+  switch (weights)
+  {
+    case Weights::MeanValue:
+      return "MeanValue";
+    case Weights::Intrinsic:
+      return "IntrinsicCotangent";
+    default:
+      return "Cotangent";
+  }
 }
 
 Weights weightsNamed(const std::string& name)
 {
-  return name == nameOf(Weights::MeanValue) ? Weights::MeanValue : Weights::Cotangent;
+  for (const Weights weights : { Weights::MeanValue, Weights::Intrinsic })
+  {
+    if (name == nameOf(weights))
+    {
+      return weights;
+    }
+  }
+  return Weights::Cotangent;
 }
 
 Points inSpace(const PlanePoints& plane)
@@ -173,6 +188,8 @@ void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* o
   addReport(field, WeightsName, std::string(nameOf(cap.weights)));
   addReport(field, "SweepReportFlipsBefore", cap.flipsBefore);
   addReport(field, "SweepReportFlipsAfter", static_cast<Index>(cap.flipped.size()));
+  addReport(field, "SweepReportEdgeFlips", cap.edgeFlips);
+  addReport(field, "SweepReportAddedPoints", cap.addedPoints);
   addReport(field, "SweepReportIgnoredCells", surface.ignoredCells);
   Points circles(static_cast<Index>(cap.holes.size()), 3);
   for (std::size_t h = 0; h < cap.holes.size(); ++h)

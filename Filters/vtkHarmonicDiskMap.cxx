@@ -49,6 +49,14 @@ int vtkHarmonicDiskMap::RequestData(
       throw InvalidInput("HoleTreatment " + std::to_string(this->HoleTreatment) +
         " does not exist. Choose Koebe (0), ArcLength (1) or Filled (2).");
     }
+    if (this->ImproveTriangulation < OFF || this->ImproveTriangulation > ON)
+    {
+      throw InvalidInput("ImproveTriangulation " + std::to_string(this->ImproveTriangulation) +
+        " does not exist. Choose Off (0), Automatic (1) or On (2).");
+    }
+    const auto improvement = this->ImproveTriangulation == OFF ? TriangulationImprovement::Off
+      : this->ImproveTriangulation == AUTOMATIC                ? TriangulationImprovement::Automatic
+                                                               : TriangulationImprovement::On;
     const SurfaceInput surface = readTriangles(input, "input surface");
     checkAreas(surface, "input surface");
     const hexsweep::Weights weights =
@@ -62,7 +70,7 @@ int vtkHarmonicDiskMap::RequestData(
       checkAreas(other, "partner surface");
       LinkedDisks linked = mapLinkedCaps(mesh, { other.points, other.faces },
         readOptionalQuads(inputDataSet(inputs, 2), "linking sides"), weights, this->MatchTolerance,
-        pipelineProgress(this, 0.1, 0.9));
+        pipelineProgress(this, 0.1, 0.9), improvement);
       cap = std::move(linked.first);
       startFractions = std::move(linked.startFractions);
       for (const std::string& warning : { describeDoubts(linked.doubts),
@@ -78,7 +86,7 @@ int vtkHarmonicDiskMap::RequestData(
     else
     {
       cap = canonicalDiskMap({ mesh.points, orientFaces(mesh.triangles, "input surface") },
-        static_cast<hexsweep::HoleTreatment>(this->HoleTreatment), weights,
+        static_cast<hexsweep::HoleTreatment>(this->HoleTreatment), weights, improvement,
         { this->Tolerance, this->MaximumIterations }, pipelineProgress(this, 0.1, 0.9));
     }
     if (!cap.converged)
@@ -113,6 +121,7 @@ void vtkHarmonicDiskMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HoleTreatment: " << this->HoleTreatment << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "ImproveTriangulation: " << this->ImproveTriangulation << "\n";
   os << indent << "OutputDisk: " << this->OutputDisk << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";

@@ -21,17 +21,19 @@
  *
  * Output: the triangles of the cap with the point arrays `DiskCoordinates` (3 components, z = 0),
  * `OriginalPointIds` (-1 on points that were added at the end: where the partner has a boundary
- * node, and on chords) and the cell array `OriginalCellIds`. Field data: `DiskMapDomain` (Disk,
- * Annulus or Circles), `HoleCircles` (centre x, y, radius), `SweepReportMethod` (the weights that
- * were used in the end), `SweepReportFlipsBefore` and `SweepReportFlipsAfter` (triangles flipped
- * with the wanted weights, and in the result), `SweepReportIgnoredCells` (vertices and lines),
- * `SweepReportLoops`, `SweepReportDirichletEnergy` (no less than the area of the image, which it
- * equals for a conformal map), `SweepReportWorstAngleDistortion` and
- * `SweepReportMeanAngleDistortion` (corners of triangles, in degrees). After Koebe's iteration also
- * `SweepReportKoebeRounds`, `SweepReportKoebeConverged`, `SweepReportKoebeChanges` (a number a
- * round from the second on, see Tolerance) and `SweepReportCircularity` (a number a loop: how far
- * its image was from a circle, over the radius, before its nodes were put onto it). With
- * a partner but no linking sides `SweepReportLoopStarts` (see vtkSweepQuadProjector).
+ * node, on chords, and for ImproveTriangulation) and the cell array `OriginalCellIds`. Field data:
+ * `DiskMapDomain` (Disk, Annulus or Circles), `HoleCircles` (centre x, y, radius),
+ * `SweepReportMethod` (the weights that were used in the end: Cotangent, IntrinsicCotangent or
+ * MeanValue), `SweepReportFlipsBefore` and `SweepReportFlipsAfter` (triangles flipped with the
+ * wanted weights, and in the result), `SweepReportEdgeFlips` and `SweepReportAddedPoints` (what
+ * ImproveTriangulation did), `SweepReportIgnoredCells` (vertices and lines), `SweepReportLoops`,
+ * `SweepReportDirichletEnergy` (no less than the area of the image, which it equals for a conformal
+ * map), `SweepReportWorstAngleDistortion` and `SweepReportMeanAngleDistortion` (corners of
+ * triangles, in degrees). After Koebe's iteration also `SweepReportKoebeRounds`,
+ * `SweepReportKoebeConverged`, `SweepReportKoebeChanges` (a number a round from the second on, see
+ * Tolerance) and `SweepReportCircularity` (a number a loop: how far its image was from a circle,
+ * over the radius, before its nodes were put onto it). With a partner but no linking sides
+ * `SweepReportLoopStarts` (see vtkSweepQuadProjector).
  *
  * In an annulus the map is linear in (log r, angle) over each triangle; flips are counted there.
  * Flips that remain raise a warning.
@@ -64,6 +66,14 @@ public:
     FILLED = 2      ///< wherever the harmonic map of the cap with filled holes puts them
   };
 
+  /// Whether the cap's triangulation may be changed for its map.
+  enum ImproveTriangulationType
+  {
+    OFF = 0,       ///< never
+    AUTOMATIC = 1, ///< where triangles are stretched, inner nodes are missing, or the map flips
+    ON = 2         ///< always
+  };
+
   ///@{
   /// COTANGENT by default.
   vtkSetClampMacro(Weights, int, COTANGENT, MEAN_VALUE);
@@ -94,6 +104,22 @@ public:
   /// It ends after this many rounds in any case; a warning says so. 20 by default.
   vtkSetClampMacro(MaximumIterations, int, 1, 1000);
   vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * AUTOMATIC by default. The surface, its boundary and its points stay as they are: edges between
+   * coplanar triangles are flipped, weights come from the intrinsic Delaunay triangulation, and
+   * points are added on edges (OriginalPointIds -1) where nothing less keeps triangles from being
+   * flipped in the disk, and inside caps that have no inner nodes. A flipped edge's triangles get
+   * the OriginalCellIds of the cell that contains their middle. Use the same value for a cap and
+   * its partner. Any number that is not named above is an error when the filter runs.
+   */
+  vtkSetMacro(ImproveTriangulation, int);
+  vtkGetMacro(ImproveTriangulation, int);
+  void SetImproveTriangulationToOff() { this->SetImproveTriangulation(OFF); }
+  void SetImproveTriangulationToAutomatic() { this->SetImproveTriangulation(AUTOMATIC); }
+  void SetImproveTriangulationToOn() { this->SetImproveTriangulation(ON); }
   ///@}
 
   ///@{
@@ -141,6 +167,8 @@ private:
   int HoleTreatment = KOEBE;
   double Tolerance = 1e-10;
   int MaximumIterations = 20;
+  int HoleTreatment = ARC_LENGTH;
+  int ImproveTriangulation = AUTOMATIC;
   bool OutputDisk = false;
   double MatchTolerance = 1e-6;
   int OutputPointsPrecision = DEFAULT_PRECISION;

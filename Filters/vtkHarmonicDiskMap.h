@@ -167,7 +167,6 @@ private:
   int HoleTreatment = KOEBE;
   double Tolerance = 1e-10;
   int MaximumIterations = 20;
-  int HoleTreatment = ARC_LENGTH;
   int ImproveTriangulation = AUTOMATIC;
   bool OutputDisk = false;
   double MatchTolerance = 1e-6;

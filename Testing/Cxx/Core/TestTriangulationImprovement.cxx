@@ -165,7 +165,7 @@ TEST(TriangulationImprovement, NoFlipsAreLeftInCommonMaps)
     const TriangleMesh second = test::stretchedPlate(holes, false);
     const hexsweep::CommonDisks disks = hexsweep::commonDiskMap(first, second,
       test::pairsOf(first.points, second.points, test::loopsOf(first)), Weights::Cotangent, 1e-6,
-      {}, TriangulationImprovement::Automatic);
+      {}, {}, TriangulationImprovement::Automatic);
     expectGood(disks.first, first, std::to_string(holes) + " holes, first");
     expectGood(disks.second, second, std::to_string(holes) + " holes, second");
   }

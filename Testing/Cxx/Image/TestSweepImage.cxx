@@ -4,13 +4,13 @@
 #include <vtkActor.h>
 #include <vtkCageHexInterior.h>
 #include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetMapper.h>
-#include <vtkExtractGeometry.h>
 #include <vtkHexValidity.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
-#include <vtkPlane.h>
 #include <vtkProperty.h>
 #include <vtkRegressionTestImage.h>
 #include <vtkRenderWindow.h>
@@ -18,6 +18,7 @@
 #include <vtkRenderer.h>
 #include <vtkSweepQuadProjector.h>
 #include <vtkTestUtilities.h>
+#include <vtkThreshold.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <string>
@@ -63,15 +64,15 @@ int TestSweepImage(int argc, char* argv[])
   validity->SetInputConnection(interior->GetOutputPort());
   validity->Update();
 
-  double bounds[6];
-  vtkDataSet::SafeDownCast(validity->GetOutputDataObject(0))->GetBounds(bounds);
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.0, 0.0, 0.2 * bounds[4] + 0.8 * bounds[5]);
-  plane->SetNormal(0.0, 0.0, 1.0);
-  vtkNew<vtkExtractGeometry> below;
+  // Whole layers: a plane would pass next to nodes, where rounding decides what it cuts away.
+  auto* layers = vtkDataSet::SafeDownCast(validity->GetOutputDataObject(0))
+                   ->GetCellData()
+                   ->GetArray("SweepLayer");
+  vtkNew<vtkThreshold> below;
   below->SetInputConnection(validity->GetOutputPort());
-  below->SetImplicitFunction(plane);
-  below->ExtractInsideOn();
+  below->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "SweepLayer");
+  below->SetThresholdFunction(vtkThreshold::THRESHOLD_LOWER);
+  below->SetLowerThreshold(0.8 * layers->GetRange()[1]);
 
   vtkNew<vtkLookupTable> colors;
   makeColors(colors);

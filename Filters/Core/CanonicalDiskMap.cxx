@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace hexsweep
@@ -59,15 +60,30 @@ CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weigh
   TriangulationImprovement improvement, const KoebeLimits& limits, const Progress& progress)
 {
   reportProgress(progress, 0.0);
-  checkCap(checkSurface(mesh.triangles, mesh.points.rows(), "input surface"), "input surface");
-  RefinedSurface refined = refineSurface(mesh, {}, true);
+  SurfaceTopology topology = checkSurface(mesh.triangles, mesh.points.rows(), "input surface");
+  checkCap(topology, "input surface");
 
   CapDisk cap;
-  cap.mesh = std::move(refined.mesh);
-  cap.triangleOrigin = std::move(refined.triangleOrigin);
   cap.numberOfOriginalPoints = mesh.points.rows();
+  const bool chords = hasChords(mesh.triangles, mesh.points.rows(), topology.loops);
+  if (chords)
+  {
+    RefinedSurface refined = refineSurface(mesh, {}, true);
+    cap.mesh = std::move(refined.mesh);
+    cap.triangleOrigin = std::move(refined.triangleOrigin);
+  }
+  else
+  {
+    cap.mesh = mesh;
+    cap.triangleOrigin.resize(static_cast<std::size_t>(mesh.triangles.rows()));
+    std::iota(cap.triangleOrigin.begin(), cap.triangleOrigin.end(), Index(0));
+  }
   weights = improveCap(cap, mesh, weights, improvement);
-  cap.loops = checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), "input surface").loops;
+  if (chords || cap.edgeFlips + cap.addedPoints > 0)
+  {
+    topology = checkSurface(cap.mesh.triangles, cap.mesh.points.rows(), "input surface");
+  }
+  cap.loops = std::move(topology.loops);
   const Points& points = cap.mesh.points;
   const auto outer =
     std::max_element(cap.loops.begin(), cap.loops.end(), [&](const Loop& a, const Loop& b) {

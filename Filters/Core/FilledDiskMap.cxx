@@ -102,8 +102,11 @@ PlanePoints circlePoints(const Circle& circle, const std::vector<double>& angles
   return points;
 }
 
-FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& points,
-  const std::vector<Loop>& loops, const PlanePointsRef& outer)
+namespace
+{
+/// The matrix with a row for the centre of each hole's fan.
+SparseMatrix withFans(
+  const SparseMatrix& laplacian, const PointsRef& points, const std::vector<Loop>& loops)
 {
   const Index n = laplacian.rows();
   const Index holes = static_cast<Index>(loops.size()) - 1;
@@ -121,6 +124,20 @@ FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& poin
   }
   SparseMatrix filled(n + holes, n + holes);
   filled.setFromTriplets(entries.begin(), entries.end());
+  return filled;
+}
+}
+
+FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& points,
+  const std::vector<Loop>& loops, const PlanePointsRef& outer)
+{
+  const Index n = laplacian.rows();
+  const Index holes = static_cast<Index>(loops.size()) - 1;
+  SparseMatrix filled = laplacian;
+  if (holes > 0)
+  {
+    filled = withFans(laplacian, points, loops);
+  }
 
   std::vector<bool> fixed(static_cast<std::size_t>(n + holes), false);
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n + holes, 2);

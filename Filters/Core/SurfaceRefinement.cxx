@@ -144,6 +144,33 @@ private:
 };
 }
 
+bool hasChords(const TrianglesRef& triangles, Index numberOfPoints, const std::vector<Loop>& loops)
+{
+  std::vector<Index> loopOf(static_cast<std::size_t>(numberOfPoints), -1);
+  std::vector<Index> next(static_cast<std::size_t>(numberOfPoints), -1);
+  for (std::size_t l = 0; l < loops.size(); ++l)
+  {
+    for (std::size_t i = 0; i < loops[l].size(); ++i)
+    {
+      loopOf[static_cast<std::size_t>(loops[l][i])] = static_cast<Index>(l);
+      next[static_cast<std::size_t>(loops[l][i])] = loops[l][(i + 1) % loops[l].size()];
+    }
+  }
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    for (Index c = 0; c < 3; ++c)
+    {
+      const auto a = static_cast<std::size_t>(triangles(t, c));
+      const Index b = triangles(t, (c + 1) % 3);
+      if (loopOf[a] >= 0 && loopOf[a] == loopOf[static_cast<std::size_t>(b)] && next[a] != b)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 RefinedSurface refineSurface(
   const TriangleMesh& mesh, const std::vector<EdgeSubdivision>& subdivisions, bool splitChords)
 {

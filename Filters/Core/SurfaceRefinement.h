@@ -30,8 +30,15 @@ struct RefinedSurface
 };
 
 /**
- * Subdivides edges, then, if asked, halves every chord: an inner edge with both ends on one
- * boundary loop. A harmonic map can collapse a chord, since nothing holds it off the loop.
+ * Whether there is a chord: an inner edge with both ends on one boundary loop.
+ *
+ * @param loops of the surface, in the direction of the triangles (see checkSurface()).
+ */
+bool hasChords(const TrianglesRef& triangles, Index numberOfPoints, const std::vector<Loop>& loops);
+
+/**
+ * Subdivides edges, then, if asked, halves every chord (see hasChords()). A harmonic map can
+ * collapse a chord, since nothing holds it off the loop.
  *
  * Half-edge operations are OpenMesh's.
  *

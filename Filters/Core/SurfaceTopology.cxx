@@ -24,25 +24,41 @@ struct Side
   bool forward; // runs from low to high
 };
 
-/// All sides, those of one edge next to each other.
-std::vector<Side> sortedSides(const FacesRef& faces)
+/// All sides, those of one edge next to each other: by lower point, then higher, face, corner.
+std::vector<Side> sortedSides(const FacesRef& faces, Index numberOfPoints)
 {
   const Index corners = faces.cols();
-  std::vector<Side> sides;
-  sides.reserve(static_cast<std::size_t>(faces.size()));
-  for (Index f = 0; f < faces.rows(); ++f)
-  {
-    for (Index c = 0; c < corners; ++c)
+  const auto forEachSide = [&](const auto& visit) {
+    for (Index f = 0; f < faces.rows(); ++f)
     {
-      const Index a = faces(f, c);
-      const Index b = faces(f, (c + 1) % corners);
-      sides.push_back({ std::min(a, b), std::max(a, b), f, c, a < b });
+      for (Index c = 0; c < corners; ++c)
+      {
+        const Index a = faces(f, c);
+        const Index b = faces(f, (c + 1) % corners);
+        visit(Side{ std::min(a, b), std::max(a, b), f, c, a < b });
+      }
     }
+  };
+  // Buckets by lower point hold a handful of sides each.
+  std::vector<std::size_t> begin(static_cast<std::size_t>(numberOfPoints) + 1, 0);
+  forEachSide([&](const Side& side) { ++begin[static_cast<std::size_t>(side.low) + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  std::vector<Side> sides(static_cast<std::size_t>(faces.size()));
+  forEachSide([&](const Side& side) { sides[next[static_cast<std::size_t>(side.low)]++] = side; });
+  for (std::size_t p = 0; p + 1 < begin.size(); ++p)
+  {
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin[p]),
+      sides.begin() + static_cast<std::ptrdiff_t>(begin[p + 1]), [](const Side& x, const Side& y) {
+        return std::tie(x.high, x.face, x.corner) < std::tie(y.high, y.face, y.corner);
+      });
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.low, x.high, x.face, x.corner) < std::tie(y.low, y.high, y.face, y.corner);
-  });
   return sides;
+}
+
+Index greatestPoint(const FacesRef& faces)
+{
+  return faces.size() > 0 ? faces.maxCoeff() : -1;
 }
 
 /// Calls visit(first, last) for the run of sides of each edge.
@@ -220,7 +236,7 @@ SurfaceTopology checkSurface(const FacesRef& faces, Index numberOfPoints, const 
   }
   checkCorners(faces, numberOfPoints, what);
 
-  const std::vector<Side> sides = sortedSides(faces);
+  const std::vector<Side> sides = sortedSides(faces, numberOfPoints);
   DisjointSets pieces(numberOfPoints);
   Index edges = 0;
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
@@ -266,7 +282,7 @@ SurfaceTopology checkSurface(const FacesRef& faces, Index numberOfPoints, const 
 Faces orientFaces(const FacesRef& faces, const std::string& what)
 {
   const Index corners = faces.cols();
-  const std::vector<Side> sides = sortedSides(faces);
+  const std::vector<Side> sides = sortedSides(faces, greatestPoint(faces) + 1);
   struct Link
   {
     Index face;
@@ -365,7 +381,7 @@ void checkCap(const SurfaceTopology& topology, const std::string& what)
 Triangles triangleNeighbors(const TrianglesRef& triangles)
 {
   Triangles neighbors = Triangles::Constant(triangles.rows(), 3, -1);
-  const std::vector<Side> sides = sortedSides(triangles);
+  const std::vector<Side> sides = sortedSides(triangles, greatestPoint(triangles) + 1);
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first == 2)
     {

@@ -39,7 +39,7 @@ PlanePoints mapToPlane(const TriangleMesh& mesh, const std::vector<Loop>& loops,
     }
   }
   const DirichletSolver solver(
-    surfaceLaplacian(mesh.points, mesh.triangles, weights), boundaryFlags(n, loops));
+    surfaceLaplacian(mesh.points, mesh.triangles, weights), boundaryFlags(n, loops), mesh.points);
   return solver.solve(values);
 }
 

@@ -71,7 +71,7 @@ PlanePoints mapToAnnulus(const CapBoundary& cap, const CylinderCap& own,
   Eigen::MatrixXd source = Eigen::MatrixXd::Zero(n, 2);
   source.col(0) = angleSource(laplacian, own.angle);
   const Eigen::MatrixXd solution =
-    DirichletSolver(laplacian, boundaryFlags(n, cap.loops)).solve(values, source);
+    DirichletSolver(laplacian, boundaryFlags(n, cap.loops), cap.mesh.points).solve(values, source);
   PlanePoints disk(n, 2);
   for (Index i = 0; i < n; ++i)
   {

@@ -50,7 +50,7 @@ HarmonicAngle harmonicAngle(const PointsRef& points, const TrianglesRef& triangl
   std::vector<bool> pinned(static_cast<std::size_t>(points.rows()), false);
   pinned[static_cast<std::size_t>(cut.back())] = true;
   const Eigen::VectorXd values =
-    DirichletSolver(laplacian, pinned).solve(Eigen::VectorXd::Zero(points.rows()), source);
+    DirichletSolver(laplacian, pinned, points).solve(Eigen::VectorXd::Zero(points.rows()), source);
   return { values, energy - source.dot(values) };
 }
 }
@@ -70,7 +70,7 @@ ConformalAnnulus conformalAnnulus(
     }
   }
   ConformalAnnulus annulus;
-  annulus.height = DirichletSolver(laplacian, fixed).solve(height);
+  annulus.height = DirichletSolver(laplacian, fixed, points).solve(height);
   HarmonicAngle angle = harmonicAngle(
     points, triangles, laplacian, shortestCut(triangles, points.rows(), loops[1], loops[0]));
   annulus.angle = std::move(angle.values);

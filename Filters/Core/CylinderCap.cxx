@@ -37,7 +37,7 @@ CylinderCap measureCylinder(const SparseMatrix& laplacian, const PointsRef& poin
   {
     height[v] = 1.0;
   }
-  height = DirichletSolver(laplacian, boundaryFlags(points.rows(), loops)).solve(height);
+  height = DirichletSolver(laplacian, boundaryFlags(points.rows(), loops), points).solve(height);
   // The Dirichlet integral of the height is 2 pi / log(R / r); equation (2) is twice that.
   result.logRadius = 4.0 * Pi / height.dot(laplacian * height);
   return result;

@@ -25,7 +25,8 @@ bool isSymmetric(const SparseMatrix& matrix)
 }
 }
 
-DirichletSolver::DirichletSolver(const SparseMatrix& laplacian, const std::vector<bool>& fixed)
+DirichletSolver::DirichletSolver(
+  const SparseMatrix& laplacian, const std::vector<bool>& fixed, const PointsRef& places)
   : Implementation(std::make_unique<Factor>())
 {
   Factor& factor = *this->Implementation;
@@ -68,8 +69,14 @@ DirichletSolver::DirichletSolver(const SparseMatrix& laplacian, const std::vecto
   factor.FreeToFixed.finalize();
   if (m > 0)
   {
+    Points freePlaces(places.rows() > 0 ? m : 0, 3);
+    for (Index i = 0; i < freePlaces.rows(); ++i)
+    {
+      freePlaces.row(i) = places.row(factor.FreeVertices[static_cast<std::size_t>(i)]);
+    }
     factor.Solver.emplace(matrix,
-      isSymmetric(matrix) ? MultifrontalSolver::Kind::Cholesky : MultifrontalSolver::Kind::LU);
+      isSymmetric(matrix) ? MultifrontalSolver::Kind::Cholesky : MultifrontalSolver::Kind::LU,
+      std::vector<std::vector<Index>>{}, freePlaces);
     factor.Solver->factorize(matrix);
   }
 }

@@ -26,9 +26,12 @@ public:
    * @param laplacian n x n. Vertices with an empty row are left out; their values pass through.
    * @param fixed     n entries, true where values are given. Every connected part of the mesh
    *                  needs at least one.
+   * @param places    n x 3: where each vertex lies in space, for a better elimination order; or no
+   *                  rows at all.
    * @throw SolverFailure when the factorisation breaks down.
    */
-  DirichletSolver(const SparseMatrix& laplacian, const std::vector<bool>& fixed);
+  DirichletSolver(const SparseMatrix& laplacian, const std::vector<bool>& fixed,
+    const PointsRef& places = Points(0, 3));
   ~DirichletSolver();
   DirichletSolver(DirichletSolver&&) noexcept;
   DirichletSolver& operator=(DirichletSolver&&) noexcept;

@@ -134,8 +134,15 @@ FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& poin
   const Index n = laplacian.rows();
   const Index holes = static_cast<Index>(loops.size()) - 1;
   SparseMatrix filled = laplacian;
+  Points places(n + holes, 3);
+  places.topRows(n) = points;
   if (holes > 0)
   {
+    for (Index h = 0; h < holes; ++h)
+    {
+      places.row(n + h) =
+        loopPoints(points, loops[static_cast<std::size_t>(h) + 1]).colwise().mean();
+    }
     filled = withFans(laplacian, points, loops);
   }
 
@@ -146,7 +153,7 @@ FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& poin
     fixed[static_cast<std::size_t>(loops[0][i])] = true;
     values.row(loops[0][i]) = outer.row(static_cast<Index>(i));
   }
-  const Eigen::MatrixXd solution = DirichletSolver(filled, fixed).solve(values);
+  const Eigen::MatrixXd solution = DirichletSolver(filled, fixed, places).solve(values);
 
   FilledDiskMap map;
   map.disk = solution.topRows(n);

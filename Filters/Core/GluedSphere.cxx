@@ -63,10 +63,11 @@ SparseMatrix withoutEmptyRows(SparseMatrix matrix)
 }
 }
 
-GluedSphere::GluedSphere(const SparseMatrix& laplacian, std::vector<Loop> loops)
+GluedSphere::GluedSphere(
+  const SparseMatrix& laplacian, std::vector<Loop> loops, const PointsRef& points)
   : Laplacian(withoutEmptyRows(laplacian))
   , Loops(std::move(loops))
-  , Solver(Laplacian, MultifrontalSolver::Kind::Cholesky, Loops)
+  , Solver(Laplacian, MultifrontalSolver::Kind::Cholesky, Loops, points)
   , Source(Eigen::MatrixXd::Zero(laplacian.rows(), 2))
 {
 }

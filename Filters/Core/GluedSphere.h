@@ -22,7 +22,8 @@ class GluedSphere
 {
 public:
   /// @param laplacian cotangent weights. @param loops the outer one first.
-  GluedSphere(const SparseMatrix& laplacian, std::vector<Loop> loops);
+  /// @param points n x 3.
+  GluedSphere(const SparseMatrix& laplacian, std::vector<Loop> loops, const PointsRef& points);
 
   /**
    * Maps the surface that is glued at these angles.

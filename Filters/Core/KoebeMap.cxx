@@ -141,7 +141,7 @@ public:
   KoebeIteration(
     const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops)
     : Loops(loops)
-    , Sphere(cotangentLaplacian(points, triangles), loops)
+    , Sphere(cotangentLaplacian(points, triangles), loops, points)
   {
     for (const Loop& loop : loops)
     {

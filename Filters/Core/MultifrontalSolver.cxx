@@ -22,12 +22,12 @@ std::size_t at(Index i)
 }
 }
 
-MultifrontalSolver::MultifrontalSolver(
-  const SparseMatrix& pattern, Kind kind, std::vector<std::vector<Index>> elements)
+MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind,
+  std::vector<std::vector<Index>> elements, const PointsRef& places)
   : Factorization(kind)
   , Elements(std::move(elements))
 {
-  Dissection dissection = dissect(pattern, this->Elements);
+  Dissection dissection = dissect(pattern, this->Elements, places);
   this->Order = std::move(dissection.order);
   const Index n = pattern.rows();
   this->Place.resize(at(n));

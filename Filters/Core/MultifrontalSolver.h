@@ -36,9 +36,10 @@ public:
    *
    * @param pattern  n x n, compressed; entry (i, j) exists where (j, i) does.
    * @param elements rows of dense blocks that will be added to the matrix; no row in two of them.
+   * @param places   n x 3: where each row lies in space, for a better order; or no rows at all.
    */
-  MultifrontalSolver(
-    const SparseMatrix& pattern, Kind kind, std::vector<std::vector<Index>> elements = {});
+  MultifrontalSolver(const SparseMatrix& pattern, Kind kind,
+    std::vector<std::vector<Index>> elements = {}, const PointsRef& places = Points(0, 3));
 
   /**
    * @param matrix with the pattern that the solver was made for, or a part of it. For Cholesky the

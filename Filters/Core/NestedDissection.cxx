@@ -12,8 +12,6 @@ namespace
 /// Rows that are eliminated as one dense block rather than cut once more; measured, flat about it.
 constexpr int LeafSize = 20;
 
-using Coordinates = std::array<int, 2>;
-
 /// Breadth-first distance of each row from one of them; rows of other components keep -1.
 std::vector<int> distancesFrom(const SparseMatrix& matrix, int start)
 {
@@ -43,7 +41,7 @@ int farthest(const std::vector<int>& distance)
 }
 
 /// Differences of distances: from two far-apart rows, and from two that are far from both.
-std::vector<Coordinates> graphCoordinates(const SparseMatrix& matrix)
+Points graphCoordinates(const SparseMatrix& matrix)
 {
   const int west = farthest(distancesFrom(matrix, 0));
   const std::vector<int> fromWest = distancesFrom(matrix, west);
@@ -53,10 +51,11 @@ std::vector<Coordinates> graphCoordinates(const SparseMatrix& matrix)
     [](int a, int b) { return std::min(a, b); });
   const std::vector<int> fromSouth = distancesFrom(matrix, farthest(least));
   const std::vector<int> fromNorth = distancesFrom(matrix, farthest(fromSouth));
-  std::vector<Coordinates> coordinates(fromWest.size());
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
+  Points coordinates = Points::Zero(matrix.rows(), 3);
+  for (std::size_t i = 0; i < fromWest.size(); ++i)
   {
-    coordinates[i] = { fromWest[i] - fromEast[i], fromSouth[i] - fromNorth[i] };
+    coordinates(static_cast<Index>(i), 0) = fromWest[i] - fromEast[i];
+    coordinates(static_cast<Index>(i), 1) = fromSouth[i] - fromNorth[i];
   }
   return coordinates;
 }
@@ -64,11 +63,12 @@ std::vector<Coordinates> graphCoordinates(const SparseMatrix& matrix)
 class Dissector
 {
 public:
-  Dissector(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques)
+  Dissector(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques,
+    const PointsRef& places)
     : Matrix(matrix)
-    , Places(graphCoordinates(matrix))
-    , Side(Places.size(), None)
-    , Clique(Places.size(), -1)
+    , Places(places)
+    , Side(static_cast<std::size_t>(matrix.rows()), None)
+    , Clique(Side.size(), -1)
     , CliqueRows(cliques.size())
   {
     for (std::size_t c = 0; c < cliques.size(); ++c)
@@ -78,9 +78,9 @@ public:
         this->Clique[static_cast<std::size_t>(row)] = static_cast<int>(c);
       }
     }
-    this->Result.order.resize(Places.size());
+    this->Result.order.resize(Side.size());
     std::iota(this->Result.order.begin(), this->Result.order.end(), 0);
-    this->split(0, static_cast<int>(Places.size()));
+    this->split(0, static_cast<int>(Side.size()));
   }
 
   Dissection result() && { return std::move(this->Result); }
@@ -111,20 +111,18 @@ private:
     return false;
   }
 
-  int longerAxis(int begin, int end) const
+  Index longestAxis(int begin, int end) const
   {
-    Coordinates low = this->Places[static_cast<std::size_t>(this->row(begin))];
-    Coordinates high = low;
+    Eigen::RowVector3d low = this->Places.row(this->row(begin));
+    Eigen::RowVector3d high = low;
     for (int k = begin; k < end; ++k)
     {
-      const Coordinates& place = this->Places[static_cast<std::size_t>(this->row(k))];
-      for (std::size_t a = 0; a < 2; ++a)
-      {
-        low[a] = std::min(low[a], place[a]);
-        high[a] = std::max(high[a], place[a]);
-      }
+      low = low.cwiseMin(this->Places.row(this->row(k)));
+      high = high.cwiseMax(this->Places.row(this->row(k)));
     }
-    return high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
+    Index axis = 0;
+    (high - low).maxCoeff(&axis);
+    return axis;
   }
 
   /// Orders the rows at places begin ... end - 1 and adds their parts; returns the last one.
@@ -160,12 +158,12 @@ private:
   /// Reorders into low half, high half, separator; returns where the latter two begin.
   std::array<int, 2> halve(int begin, int end)
   {
-    const auto axis = static_cast<std::size_t>(this->longerAxis(begin, end));
+    const Index axis = this->longestAxis(begin, end);
     const auto at = [this](int place) { return this->Result.order.begin() + place; };
     const int middle = begin + (end - begin) / 2;
     std::nth_element(at(begin), at(middle), at(end), [&](int a, int b) {
-      const int x = this->Places[static_cast<std::size_t>(a)][axis];
-      const int y = this->Places[static_cast<std::size_t>(b)][axis];
+      const double x = this->Places(a, axis);
+      const double y = this->Places(b, axis);
       return x != y ? x < y : a < b;
     });
     for (int k = begin; k < end; ++k)
@@ -216,7 +214,7 @@ private:
   unsigned char& side(int place) { return this->Side[static_cast<std::size_t>(this->row(place))]; }
 
   const SparseMatrix& Matrix;
-  std::vector<Coordinates> Places;
+  const PointsRef Places;
   std::vector<unsigned char> Side;
   std::vector<int> Clique;                    // of each row, or -1
   std::vector<std::array<int, 2>> CliqueRows; // rows of the part being halved: low, high
@@ -224,8 +222,14 @@ private:
 };
 }
 
-Dissection dissect(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques)
+Dissection dissect(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques,
+  const PointsRef& places)
 {
-  return matrix.rows() > 0 ? Dissector(matrix, cliques).result() : Dissection{};
+  if (matrix.rows() == 0)
+  {
+    return {};
+  }
+  return places.rows() > 0 ? Dissector(matrix, cliques, places).result()
+                           : Dissector(matrix, cliques, graphCoordinates(matrix)).result();
 }
 }

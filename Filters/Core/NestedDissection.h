@@ -30,14 +30,16 @@ struct Dissection
  * Nested dissection (A. George, "Nested dissection of a regular finite element mesh", 1973) of the
  * graph of a matrix.
  *
- * The graph alone is read. Breadth-first distances from two pairs of far-apart rows serve as
- * coordinates in the plane; parts are halved across their longer side until they are small. On
- * surface meshes the separators are about a tenth longer than those of a bisection in space.
+ * Parts are halved across their longest side until they are small. Where the rows' places in space
+ * are not known, breadth-first distances from two pairs of far-apart rows serve as coordinates in
+ * the plane; the separators are then about a tenth longer.
  *
  * @param matrix  n x n with a symmetric pattern.
  * @param cliques rows that count as joined each to each, whatever the matrix says; disjoint.
+ * @param places  n x 3: where each row lies, or no rows at all.
  */
-Dissection dissect(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques = {});
+Dissection dissect(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques = {},
+  const PointsRef& places = Points(0, 3));
 }
 
 #endif

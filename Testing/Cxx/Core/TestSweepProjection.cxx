@@ -383,3 +383,34 @@ TEST(SweepProjection, CanBeAbortedAtAnyTime)
       hexsweep::projectSweep(input, [&](double) { return ++calls < stop; }), hexsweep::Aborted);
   }
 }
+
+TEST(SweepProjection, UntanglingUnwindsATwistedMap)
+{
+  // The worst start there is: maps that were made before, the target's then twisted once round
+  // between its two loops, which stay.
+  const Cap cap = curvedCap(1, 0.2);
+  const test::Similarity motion{ 2.0, test::someTurn(), { 1, 0, 3 } };
+  SweepProjectionInput input = imageSweep(cap, motion);
+  const hexsweep::LinkedDisks disks = hexsweep::mapLinkedCaps(
+    *input.sourceSurface, input.target, input.linking, Weights::Cotangent, 1e-6);
+  input.sourceDisk = disks.first;
+  input.targetDisk = disks.second;
+  ASSERT_EQ(input.targetDisk->domain, hexsweep::DiskDomain::Annulus);
+  hexsweep::PlanePoints& disk = input.targetDisk->disk;
+  const std::vector<bool> boundary = hexsweep::boundaryFlags(disk.rows(), input.targetDisk->loops);
+  const double logRadius = std::log(input.targetDisk->holes[0].radius);
+  for (Index i = 0; i < disk.rows(); ++i)
+  {
+    if (!boundary[static_cast<std::size_t>(i)])
+    {
+      const double turn = 2.0 * 3.14159265358979323846 * std::log(disk.row(i).norm()) / logRadius;
+      disk.row(i) = (disk.row(i) * Eigen::Rotation2Dd(-turn).toRotationMatrix()).eval();
+    }
+  }
+  EXPECT_GT(hexsweep::projectSweep(input).quality.inverted, 5);
+  input.ensureValid = true;
+  const SweepProjection result = hexsweep::projectSweep(input);
+  EXPECT_GT(result.invertedBefore, 5);
+  EXPECT_EQ(result.quality.inverted, 0);
+  expectBoundaryExact(result, cap.quads, motion(cap.quads.points));
+}

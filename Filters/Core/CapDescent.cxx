@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CapDescent.h"
 
+#include "Errors.h"
+#include "MultifrontalSolver.h"
+
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace hexsweep
 {
@@ -18,7 +21,6 @@ constexpr double SufficientDecrease = 1e-4;
 constexpr double Damping = 1e-6;
 
 using TangentFrame = Eigen::Matrix<double, 2, 3>;
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 TangentFrame tangentFrame(const Eigen::RowVector3d& normal)
 {
@@ -39,7 +41,21 @@ struct CapDescent::System
   std::vector<int> Variable; // node -> free node or -1
   SparseMatrix Hessian;
   std::vector<int> Slots; // 9 a corner: value index of each column of each block's first row
-  Eigen::SimplicialLDLT<SparseMatrix> Factor;
+  std::optional<MultifrontalSolver> Solver;
+
+  /// Newton's step; not a number where the matrix is not positive definite to working accuracy.
+  Eigen::VectorXd step(const Eigen::VectorXd& gradient)
+  {
+    try
+    {
+      this->Solver->factorize(this->Hessian);
+      return this->Solver->solve(-gradient);
+    }
+    catch (const SolverFailure&)
+    {
+      return Eigen::VectorXd::Constant(gradient.size(), std::nan(""));
+    }
+  }
 
   /// Index of the first of two consecutive values: rows 2 i and 2 i + 1 of column 2 j + c.
   int slot(int i, int j, int c) const
@@ -110,7 +126,7 @@ CapDescent::CapDescent(const CapCorners& cap)
   }
   if (n > 0)
   {
-    system.Factor.analyzePattern(system.Hessian);
+    system.Solver.emplace(system.Hessian, MultifrontalSolver::Kind::Cholesky);
   }
 }
 
@@ -226,10 +242,9 @@ CapDescent::Result CapDescent::descend(
     {
       system.Hessian.coeffRef(i, i) += shift;
     }
-    system.Factor.factorize(system.Hessian);
-    Eigen::VectorXd move = system.Factor.solve(-gradient);
-    double slope = move.dot(gradient);
-    if (system.Factor.info() != Eigen::Success || !move.allFinite() || !(slope < 0.0))
+    const Eigen::VectorXd move = system.step(gradient);
+    const double slope = move.dot(gradient);
+    if (!move.allFinite() || !(slope < 0.0))
     {
       break;
     }

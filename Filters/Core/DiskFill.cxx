@@ -60,6 +60,30 @@ double secondAntiderivative(double x)
   }
   return x2 * (0.5 * std::log(x) - 0.75 - sum);
 }
+
+/// Arcs this much shorter than their distance: the closed form cancels more digits than the
+/// expansion about their middles leaves out.
+constexpr double FarArcs = 1e-2;
+
+bool isFar(double distance, double a, double b)
+{
+  const double chord = FarArcs * 2.0 * std::sin(0.5 * distance);
+  return a * a + b * b < chord * chord;
+}
+
+/// Mean of log |2 sin(x / 2)| between two arcs of lengths a and b, far from each other, whose
+/// middles are at this distance: Taylor's polynomial of degree 5.
+double farMean(double distance, double a, double b)
+{
+  const double s = std::sin(0.5 * distance);
+  const double s2 = s * s;
+  const double a2 = a * a;
+  const double b2 = b * b;
+  const double second = -0.25 / s2;
+  const double fourth = (0.25 - 0.375 / s2) / s2;
+  return std::log(2.0 * std::abs(s)) + (a2 + b2) / 24.0 * second +
+    (3.0 * a2 * a2 + 10.0 * a2 * b2 + 3.0 * b2 * b2) / 5760.0 * fourth;
+}
 }
 
 Eigen::MatrixXd diskFillEnergy(const std::vector<double>& angles)
@@ -87,11 +111,15 @@ Eigen::MatrixXd diskFillEnergy(const std::vector<double>& angles)
   for (Index f = 0; f < m; ++f)
   {
     const Index f1 = (f + 1) % m;
-    for (Index e = 0; e < m; ++e)
+    for (Index e = f; e < m; ++e)
     {
       const Index e1 = (e + 1) % m;
-      arcs(e, f) = 2.0 / (Pi * length[e] * length[f]) *
-        (potential(e1, f1) + potential(e, f) - potential(e1, f) - potential(e, f1));
+      const double distance = angle(e) - angle(f) + 0.5 * (length[e] - length[f]);
+      const double mean = isFar(distance, length[e], length[f])
+        ? farMean(distance, length[e], length[f])
+        : (potential(e1, f) + potential(e, f1) - potential(e1, f1) - potential(e, f)) /
+          (length[e] * length[f]);
+      arcs(e, f) = arcs(f, e) = -2.0 / Pi * mean;
     }
   }
   // g' on an arc is the difference of its ends over its length (divided by above).

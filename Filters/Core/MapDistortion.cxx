@@ -27,7 +27,7 @@ MapDistortion mapDistortion(const CapDisk& cap)
       const double difference = std::abs(angle - std::atan2(1.0, cot(t, c))) * Degrees;
       result.worstAngle = std::max(result.worstAngle, difference);
       result.meanAngle += difference / static_cast<double>(3 * triangles.rows());
-      result.dirichletEnergy += 0.5 * cot(t, c) * (v - u).squaredNorm();
+      result.dirichletEnergy += 0.25 * cot(t, c) * (v - u).squaredNorm();
     }
   }
   return result;

@@ -226,7 +226,7 @@ bool MultifrontalSolver::eliminate(const Front& front, Update& update)
   if (this->Factorization == Kind::Cholesky)
   {
     const Eigen::LLT<InPlace> cholesky(diagonal);
-    if (cholesky.info() != Eigen::Success)
+    if (cholesky.info() != Eigen::Success || !diagonal.diagonal().allFinite())
     {
       return false;
     }

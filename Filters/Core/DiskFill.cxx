@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DiskFill.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace hexsweep
 {
@@ -65,23 +67,20 @@ double secondAntiderivative(double x)
 /// expansion about their middles leaves out.
 constexpr double FarArcs = 1e-2;
 
-bool isFar(double distance, double a, double b)
+bool isFar(double squaredChord, double a, double b)
 {
-  const double chord = FarArcs * 2.0 * std::sin(0.5 * distance);
-  return a * a + b * b < chord * chord;
+  return a * a + b * b < FarArcs * FarArcs * squaredChord;
 }
 
-/// Mean of log |2 sin(x / 2)| between two arcs of lengths a and b, far from each other, whose
-/// middles are at this distance: Taylor's polynomial of degree 5.
-double farMean(double distance, double a, double b)
+/// Mean of log |2 sin(x / 2)| between two arcs of lengths a and b, far from each other: Taylor's
+/// polynomial of degree 5 about their middles.
+double farMean(double squaredChord, double a, double b)
 {
-  const double s = std::sin(0.5 * distance);
-  const double s2 = s * s;
   const double a2 = a * a;
   const double b2 = b * b;
-  const double second = -0.25 / s2;
-  const double fourth = (0.25 - 0.375 / s2) / s2;
-  return std::log(2.0 * std::abs(s)) + (a2 + b2) / 24.0 * second +
+  const double second = -1.0 / squaredChord;
+  const double fourth = (1.0 - 6.0 / squaredChord) / squaredChord;
+  return 0.5 * std::log(squaredChord) + (a2 + b2) / 24.0 * second +
     (3.0 * a2 * a2 + 10.0 * a2 * b2 + 3.0 * b2 * b2) / 5760.0 * fourth;
 }
 }
@@ -90,34 +89,37 @@ Eigen::MatrixXd diskFillEnergy(const std::vector<double>& angles)
 {
   const Index m = static_cast<Index>(angles.size());
   const double direction = angles[1] > angles[0] ? 1.0 : -1.0;
-  const auto angle = [&](Index i) {
-    return direction * angles[static_cast<std::size_t>(i % m)] + (i < m ? 0.0 : 2.0 * Pi);
-  };
-  Eigen::MatrixXd potential(m, m);
-  for (Index j = 0; j < m; ++j)
-  {
-    for (Index i = j; i < m; ++i)
+  Eigen::VectorXd node(m + 1); // the first one again at the end
+  node.head(m) = direction * Eigen::Map<const Eigen::VectorXd>(angles.data(), m);
+  node[m] = node[0] + 2.0 * Pi;
+  const Eigen::VectorXd length = node.tail(m) - node.head(m);
+  const Eigen::ArrayXd middle = node.head(m) + 0.5 * length;
+  const Eigen::ArrayXd cosine = middle.cos();
+  const Eigen::ArrayXd sine = middle.sin();
+
+  // Each is asked for by four pairs of arcs, most by none.
+  Eigen::MatrixXd potentials =
+    Eigen::MatrixXd::Constant(m + 1, m + 1, std::numeric_limits<double>::quiet_NaN());
+  const auto potential = [&](Index i, Index j) {
+    double& value = potentials(std::max(i, j), std::min(i, j));
+    if (std::isnan(value))
     {
-      potential(i, j) = potential(j, i) = secondAntiderivative(angle(i) - angle(j));
+      value = secondAntiderivative(node[i] - node[j]);
     }
-  }
+    return value;
+  };
   // Twice the Dirichlet integral between two arcs on which g' is 1.
   Eigen::MatrixXd arcs(m, m);
-  Eigen::VectorXd length(m);
-  for (Index e = 0; e < m; ++e)
-  {
-    length[e] = angle(e + 1) - angle(e);
-  }
   for (Index f = 0; f < m; ++f)
   {
-    const Index f1 = (f + 1) % m;
     for (Index e = f; e < m; ++e)
     {
-      const Index e1 = (e + 1) % m;
-      const double distance = angle(e) - angle(f) + 0.5 * (length[e] - length[f]);
-      const double mean = isFar(distance, length[e], length[f])
-        ? farMean(distance, length[e], length[f])
-        : (potential(e1, f) + potential(e, f1) - potential(e1, f1) - potential(e, f)) /
+      const double dx = cosine[e] - cosine[f];
+      const double dy = sine[e] - sine[f];
+      const double squaredChord = dx * dx + dy * dy;
+      const double mean = isFar(squaredChord, length[e], length[f])
+        ? farMean(squaredChord, length[e], length[f])
+        : (potential(e + 1, f) + potential(e, f + 1) - potential(e + 1, f + 1) - potential(e, f)) /
           (length[e] * length[f]);
       arcs(e, f) = arcs(f, e) = -2.0 / Pi * mean;
     }
@@ -126,10 +128,10 @@ Eigen::MatrixXd diskFillEnergy(const std::vector<double>& angles)
   Eigen::MatrixXd energy(m, m);
   for (Index j = 0; j < m; ++j)
   {
-    const Index before = (j + m - 1) % m;
+    const Index before = j > 0 ? j - 1 : m - 1;
     for (Index i = 0; i < m; ++i)
     {
-      const Index above = (i + m - 1) % m;
+      const Index above = i > 0 ? i - 1 : m - 1;
       energy(i, j) = arcs(i, j) + arcs(above, before) - arcs(above, j) - arcs(i, before);
     }
   }

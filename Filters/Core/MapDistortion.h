@@ -15,8 +15,9 @@ struct MapDistortion
 {
   double worstAngle = 0.0; ///< greatest difference, in degrees
   double meanAngle = 0.0;  ///< mean difference over all corners, in degrees
-  /// A quarter of equation (2) with cotangent weights: half the integral of |grad x|^2 + |grad y|^2.
-  /// No less than the area of the image, and equal to it for a conformal map. Free of units.
+  /// A quarter of equation (2) with cotangent weights: half the integral of the squared gradients
+  /// of both coordinates. No less than the area of the image, and equal to it for a conformal map.
+  /// Free of units.
   double dirichletEnergy = 0.0;
 };
 

@@ -742,6 +742,17 @@ TEST(HarmonicDiskMap, KoebeOnThreeHoles)
   }
 }
 
+TEST(HarmonicDiskMap, KoebeOnTheSpongecake)
+{
+  Map map(test::readGrid("fig9_spongecake/target_surface"));
+  vtkUnstructuredGrid* output = map.run();
+  EXPECT_EQ(output->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples(), 37);
+  EXPECT_LE(report(output, "SweepReportKoebeRounds"), 6);
+  EXPECT_EQ(report(output, "SweepReportKoebeConverged"), 1);
+  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+  expectLoopsOnCircles(output);
+}
+
 TEST(HarmonicDiskMap, KoebeDistortsAnglesLeast)
 {
   const Grid input = test::plateSweep(3).sourceSurface;

@@ -76,7 +76,7 @@ DirichletSolver::DirichletSolver(
     }
     factor.Solver.emplace(matrix,
       isSymmetric(matrix) ? MultifrontalSolver::Kind::Cholesky : MultifrontalSolver::Kind::LU,
-      std::vector<std::vector<Index>>{}, freePlaces);
+      freePlaces);
     factor.Solver->factorize(matrix);
   }
 }

@@ -2,7 +2,10 @@
 #include "GluedSphere.h"
 
 #include "DiskFill.h"
+#include "FillMesh.h"
+#include "FilledDiskMap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -14,6 +17,15 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 
 using Complex = std::complex<double>;
+
+/// How much the outer loop's mean weighs: little against the energies of maps, whose loops' is 2
+/// pi.
+constexpr double MeanWeight = 0.1;
+
+/// Steps of conjugate gradients from nothing to a map, and from one map to the next; each gains
+/// about a digit.
+constexpr int StepsOfAMap = 4;
+constexpr int StepsOfACorrection = 2;
 
 /// Below this arc the closed form cancels more digits than its series leaves out.
 constexpr double ShortArc = 1e-2;
@@ -67,9 +79,72 @@ GluedSphere::GluedSphere(
   const SparseMatrix& laplacian, std::vector<Loop> loops, const PointsRef& points)
   : Laplacian(withoutEmptyRows(laplacian))
   , Loops(std::move(loops))
-  , Solver(Laplacian, MultifrontalSolver::Kind::Cholesky, Loops, points)
   , Source(Eigen::MatrixXd::Zero(laplacian.rows(), 2))
 {
+  // Holes are filled where they are, the outer disk's mesh is turned inside out.
+  std::vector<Eigen::RowVector3d> places;
+  for (const Loop& loop : this->Loops)
+  {
+    this->FirstFillNode.push_back(laplacian.rows() + static_cast<Index>(places.size()));
+    const Points ring = loopPoints(points, loop);
+    const Eigen::RowVector3d center = ring.colwise().mean();
+    const Points fill = fillMesh(arcLengthAngles(ring)).points;
+    for (Index i = ring.rows(); i < fill.rows(); ++i)
+    {
+      const double radius = fill.row(i).norm();
+      const double turn = std::atan2(fill(i, 1), fill(i, 0)) / (2.0 * Pi);
+      const double along = (turn < 0.0 ? turn + 1.0 : turn) * static_cast<double>(ring.rows());
+      const Index node = std::min(static_cast<Index>(along), ring.rows() - 1);
+      const double reach = &loop == &this->Loops[0] ? 2.0 - radius : radius;
+      places.emplace_back(center + reach * (ring.row(node) - center));
+    }
+  }
+  this->FillPlaces.resize(laplacian.rows() + static_cast<Index>(places.size()), 3);
+  this->FillPlaces.topRows(laplacian.rows()) = points;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    this->FillPlaces.row(laplacian.rows() + static_cast<Index>(i)) = places[i];
+  }
+}
+
+SparseMatrix GluedSphere::approximation(const std::vector<std::vector<double>>& angles) const
+{
+  const Index n = this->FillPlaces.rows();
+  Points points = Points::Zero(n, 3);
+  std::vector<Triangles> meshes;
+  Index count = 0;
+  for (std::size_t p = 0; p < this->Loops.size(); ++p)
+  {
+    TriangleMesh fill = fillMesh(angles[p]);
+    const Loop& loop = this->Loops[p];
+    const Index m = static_cast<Index>(loop.size());
+    const auto id = [&](Index i) {
+      return i < m ? loop[static_cast<std::size_t>(i)] : this->FirstFillNode[p] + i - m;
+    };
+    for (Index i = 0; i < fill.points.rows(); ++i)
+    {
+      points.row(id(i)) = fill.points.row(i);
+    }
+    meshes.push_back(fill.triangles.unaryExpr(id));
+    count += fill.triangles.rows();
+  }
+  Triangles triangles(count, 3);
+  Index row = 0;
+  for (const Triangles& mesh : meshes)
+  {
+    triangles.middleRows(row, mesh.rows()) = mesh;
+    row += mesh.rows();
+  }
+  SparseMatrix cap = this->Laplacian;
+  cap.conservativeResize(n, n);
+  SparseMatrix sum = cap + cotangentLaplacian(points, triangles);
+  const Eigen::MatrixXd moments = hatMoments(angles[0]);
+  for (std::size_t i = 0; i < this->Loops[0].size(); ++i)
+  {
+    const Index v = this->Loops[0][i];
+    sum.coeffRef(v, v) += MeanWeight * moments(static_cast<Index>(i), 0);
+  }
+  return sum;
 }
 
 void GluedSphere::glue(const std::vector<std::vector<double>>& angles)
@@ -81,7 +156,7 @@ void GluedSphere::glue(const std::vector<std::vector<double>>& angles)
   }
   const Eigen::MatrixXd moments = hatMoments(angles[0]);
   // The map is determined but for a translation: this puts the outer loop's mean at the origin.
-  this->Fills[0] += moments.col(0) * moments.col(0).transpose() / (2.0 * Pi);
+  this->Fills[0] += MeanWeight / (2.0 * Pi) * moments.col(0) * moments.col(0).transpose();
   // In the outer disk the map is w + (what vanishes at infinity) with w = e^(i angle) on the loop.
   // The flow of w, and what the rest costs on account of w, put the same on each node.
   for (std::size_t i = 0; i < this->Loops[0].size(); ++i)
@@ -93,28 +168,67 @@ void GluedSphere::glue(const std::vector<std::vector<double>>& angles)
 void GluedSphere::map(const std::vector<std::vector<double>>& angles)
 {
   this->glue(angles);
-  this->Solver.factorize(this->Laplacian, this->Fills);
-  this->Image = this->Solver.solve(this->Source);
+  const SparseMatrix matrix = this->approximation(angles);
+  if (!this->Solver)
+  {
+    this->Solver.emplace(matrix, MultifrontalSolver::Kind::Cholesky, this->FillPlaces);
+  }
+  this->Solver->factorize(matrix);
+  this->Image = Eigen::MatrixXd::Zero(this->Laplacian.rows(), 2);
+  this->improve(StepsOfAMap);
 }
 
 void GluedSphere::correct(const std::vector<std::vector<double>>& angles)
 {
   this->glue(angles);
-  Eigen::MatrixXd residual = this->Source - this->Laplacian * this->Image;
+  this->improve(StepsOfACorrection);
+}
+
+Eigen::MatrixXd GluedSphere::apply(const Eigen::MatrixXd& image) const
+{
+  Eigen::MatrixXd result = this->Laplacian * image;
   for (std::size_t p = 0; p < this->Loops.size(); ++p)
   {
     const Loop& loop = this->Loops[p];
     Eigen::MatrixXd values(static_cast<Index>(loop.size()), 2);
     for (std::size_t k = 0; k < loop.size(); ++k)
     {
-      values.row(static_cast<Index>(k)) = this->Image.row(loop[k]);
+      values.row(static_cast<Index>(k)) = image.row(loop[k]);
     }
     values = (this->Fills[p] * values).eval();
     for (std::size_t k = 0; k < loop.size(); ++k)
     {
-      residual.row(loop[k]) -= values.row(static_cast<Index>(k));
+      result.row(loop[k]) += values.row(static_cast<Index>(k));
     }
   }
-  this->Image += this->Solver.solve(residual);
+  return result;
+}
+
+void GluedSphere::improve(int steps)
+{
+  const Index n = this->Laplacian.rows();
+  Eigen::MatrixXd extended = Eigen::MatrixXd::Zero(this->FillPlaces.rows(), 2);
+  Eigen::MatrixXd residual = this->Source - this->apply(this->Image);
+  Eigen::MatrixXd direction = Eigen::MatrixXd::Zero(n, 2);
+  Eigen::RowVector2d before = Eigen::RowVector2d::Ones();
+  for (int step = 0; step < steps; ++step)
+  {
+    extended.topRows(n) = residual;
+    const Eigen::MatrixXd correction = this->Solver->solve(extended).topRows(n);
+    const Eigen::RowVector2d now = residual.cwiseProduct(correction).colwise().sum();
+    if (!(now.minCoeff() > 0.0))
+    {
+      return; // nothing is left but rounding
+    }
+    const Eigen::RowVector2d keep =
+      step > 0 ? Eigen::RowVector2d(now.cwiseQuotient(before)) : Eigen::RowVector2d(0.0, 0.0);
+    direction = correction + direction * keep.asDiagonal();
+    const Eigen::MatrixXd effect = this->apply(direction);
+    const Eigen::RowVector2d length =
+      now.cwiseQuotient(direction.cwiseProduct(effect).colwise().sum());
+    this->Image += direction * length.asDiagonal();
+    residual -= effect * length.asDiagonal();
+    before = now;
+  }
 }
 }

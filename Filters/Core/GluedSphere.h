@@ -8,6 +8,8 @@
 
 #include "MultifrontalSolver.h"
 
+#include <optional>
+
 namespace hexsweep
 {
 /**
@@ -15,8 +17,10 @@ namespace hexsweep
  * of genus 0, with the metric of the cap and of the disks.
  *
  * Its conformal map to the plane, with the pole in the middle of the first loop's disk, is one
- * symmetric positive definite system with two right-hand sides (see diskFillEnergy()). The image
- * of a loop is a circle when the angles at which it is glued are those of its image.
+ * symmetric positive definite system with two right-hand sides (see diskFillEnergy()). It is solved
+ * by a few steps of conjugate gradients; what is factorised for them is sparse, with a coarse mesh
+ * in each disk (see fillMesh()). The image of a loop is a circle when the angles at which it is
+ * glued are those of its image.
  */
 class GluedSphere
 {
@@ -26,7 +30,7 @@ public:
   GluedSphere(const SparseMatrix& laplacian, std::vector<Loop> loops, const PointsRef& points);
 
   /**
-   * Maps the surface that is glued at these angles.
+   * Maps the surface that is glued at these angles, to about four digits; correct() adds to them.
    *
    * @param angles one list a loop, in radians, strictly monotone within a turn; rising on the
    * first.
@@ -34,8 +38,7 @@ public:
    */
   void map(const std::vector<std::vector<double>>& angles);
 
-  /// Approximates what map() would give from the present map and the factor of the last map(): one
-  /// step of iterative refinement.
+  /// Approximates what map() would give from the present map with the factor of the last map().
   void correct(const std::vector<std::vector<double>>& angles);
 
   /// n x 2; the first loop's mean lies at the origin, its radius is near 1.
@@ -43,10 +46,15 @@ public:
 
 private:
   void glue(const std::vector<std::vector<double>>& angles);
+  Eigen::MatrixXd apply(const Eigen::MatrixXd& image) const;
+  void improve(int steps);
+  SparseMatrix approximation(const std::vector<std::vector<double>>& angles) const;
 
   SparseMatrix Laplacian;
   std::vector<Loop> Loops;
-  MultifrontalSolver Solver;
+  std::vector<Index> FirstFillNode; // rows of the approximation beyond those of the cap
+  Points FillPlaces;                // about where all its rows lie in space
+  std::optional<MultifrontalSolver> Solver;
   std::vector<Eigen::MatrixXd> Fills;
   Eigen::MatrixXd Source;
   Eigen::MatrixXd Image;

@@ -14,7 +14,6 @@ namespace hexsweep
 namespace
 {
 using Matrix = Eigen::MatrixXd;
-using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 std::size_t at(Index i)
 {
@@ -22,12 +21,11 @@ std::size_t at(Index i)
 }
 }
 
-MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind,
-  std::vector<std::vector<Index>> elements, const PointsRef& places)
+MultifrontalSolver::MultifrontalSolver(
+  const SparseMatrix& pattern, Kind kind, const PointsRef& places)
   : Factorization(kind)
-  , Elements(std::move(elements))
 {
-  Dissection dissection = dissect(pattern, this->Elements, places);
+  Dissection dissection = dissect(pattern, places);
   this->Order = std::move(dissection.order);
   const Index n = pattern.rows();
   this->Place.resize(at(n));
@@ -36,7 +34,6 @@ MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind,
     this->Place[at(this->Order[at(k)])] = k;
   }
 
-  this->ElementsAt = this->firstFronts(dissection);
   std::vector<std::vector<Index>> children(dissection.parts.size());
   std::vector<Index> seen(at(n), -1); // the last front that a place was put into
   Index values = 0;
@@ -56,13 +53,6 @@ MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind,
       for (SparseMatrix::InnerIterator it(pattern, this->Order[at(k)]); it; ++it)
       {
         add(this->Place[at(it.row())]);
-      }
-    }
-    for (const std::size_t e : this->ElementsAt[f])
-    {
-      for (const Index row : this->Elements[e])
-      {
-        add(this->Place[at(row)]);
       }
     }
     for (const Index c : children[f])
@@ -89,60 +79,6 @@ MultifrontalSolver::MultifrontalSolver(const SparseMatrix& pattern, Kind kind,
   if (kind == Kind::LU)
   {
     this->Pivoting.resize(at(n));
-  }
-}
-
-/// The parts at which elements enter: where the first of their rows is eliminated.
-std::vector<std::vector<std::size_t>> MultifrontalSolver::firstFronts(
-  const Dissection& dissection) const
-{
-  std::vector<std::vector<std::size_t>> result(dissection.parts.size());
-  for (std::size_t e = 0; e < this->Elements.size(); ++e)
-  {
-    Index first = static_cast<Index>(this->Place.size());
-    for (const Index row : this->Elements[e])
-    {
-      first = std::min(first, this->Place[at(row)]);
-    }
-    const auto part = std::upper_bound(dissection.parts.begin(), dissection.parts.end(), first,
-      [](Index place, const Dissection::Part& p) { return place < p.end; });
-    result[at(part - dissection.parts.begin())].push_back(e);
-  }
-  return result;
-}
-
-void MultifrontalSolver::addElement(const Front& front, Update& update,
-  const std::vector<Index>& rows, const Eigen::MatrixXd& element, const std::vector<Index>& local)
-{
-  const bool full = this->Factorization == Kind::LU;
-  const Index size = front.pivots + front.borderSize;
-  Eigen::Map<Matrix> lower(this->Values.data() + front.lower, size, front.pivots);
-  Eigen::Map<Matrix> upper(
-    this->Values.data() + front.upper, front.pivots, full ? front.borderSize : 0);
-  for (std::size_t b = 0; b < rows.size(); ++b)
-  {
-    const Index column = local[at(this->Place[at(rows[b])])];
-    for (std::size_t a = 0; a < rows.size(); ++a)
-    {
-      const Index row = local[at(this->Place[at(rows[a])])];
-      const double value = element(static_cast<Index>(a), static_cast<Index>(b));
-      if (!full && row < column)
-      {
-        continue;
-      }
-      if (column < front.pivots)
-      {
-        lower(row, column) += value;
-      }
-      else if (row < front.pivots)
-      {
-        upper(row, column - front.pivots) += value;
-      }
-      else
-      {
-        update(row - front.pivots, column - front.pivots) += value;
-      }
-    }
   }
 }
 
@@ -255,8 +191,7 @@ bool MultifrontalSolver::eliminate(const Front& front, Update& update)
   return true;
 }
 
-void MultifrontalSolver::factorize(
-  const SparseMatrix& matrix, const std::vector<Eigen::MatrixXd>& elements)
+void MultifrontalSolver::factorize(const SparseMatrix& matrix)
 {
   std::vector<Update> updates(this->Fronts.size());
   std::vector<std::vector<std::size_t>> children(this->Fronts.size());
@@ -274,10 +209,6 @@ void MultifrontalSolver::factorize(
     }
     this->assemble(front, matrix, local);
     updates[f].setZero(front.borderSize, front.borderSize);
-    for (const std::size_t e : this->ElementsAt[f])
-    {
-      this->addElement(front, updates[f], this->Elements[e], elements[e], local);
-    }
     for (const std::size_t c : children[f])
     {
       this->extendAdd(front, updates[f], this->Fronts[c], updates[c], local);
@@ -299,7 +230,7 @@ Eigen::MatrixXd MultifrontalSolver::solve(const Eigen::Ref<const Eigen::MatrixXd
 {
   const bool cholesky = this->Factorization == Kind::Cholesky;
   const Index n = b.rows();
-  RowMajorMatrix x(n, b.cols()); // in the elimination order
+  Matrix x(n, b.cols()); // in the elimination order
   for (Index k = 0; k < n; ++k)
   {
     x.row(k) = b.row(this->Order[at(k)]);
@@ -308,50 +239,58 @@ Eigen::MatrixXd MultifrontalSolver::solve(const Eigen::Ref<const Eigen::MatrixXd
     return Eigen::Map<const Matrix>(
       this->Values.data() + front.lower, front.pivots + front.borderSize, front.pivots);
   };
-  RowMajorMatrix border;
+  // Column by column within a front: matrix-vector products need no packing, and the front stays in
+  // the cache for the columns that follow.
+  Eigen::VectorXd border;
   for (const Front& front : this->Fronts)
   {
     const auto panel = factor(front);
     const auto diagonal = panel.topRows(front.pivots);
-    auto own = x.middleRows(front.begin, front.pivots);
-    if (cholesky)
+    for (Index c = 0; c < x.cols(); ++c)
     {
-      diagonal.triangularView<Eigen::Lower>().solveInPlace(own);
-    }
-    else
-    {
-      const Eigen::PermutationMatrix<Eigen::Dynamic> pivoting(Eigen::VectorXi(
-        Eigen::Map<const Eigen::VectorXi>(this->Pivoting.data() + front.begin, front.pivots)));
-      own = (pivoting * own).eval();
-      diagonal.triangularView<Eigen::UnitLower>().solveInPlace(own);
-    }
-    border.noalias() = panel.bottomRows(front.borderSize) * own;
-    for (Index k = 0; k < front.borderSize; ++k)
-    {
-      x.row(this->Borders[at(front.border + k)]) -= border.row(k);
+      auto own = x.col(c).segment(front.begin, front.pivots);
+      if (cholesky)
+      {
+        diagonal.triangularView<Eigen::Lower>().solveInPlace(own);
+      }
+      else
+      {
+        const Eigen::PermutationMatrix<Eigen::Dynamic> pivoting(Eigen::VectorXi(
+          Eigen::Map<const Eigen::VectorXi>(this->Pivoting.data() + front.begin, front.pivots)));
+        own = (pivoting * own).eval();
+        diagonal.triangularView<Eigen::UnitLower>().solveInPlace(own);
+      }
+      border.noalias() = panel.bottomRows(front.borderSize) * own;
+      for (Index k = 0; k < front.borderSize; ++k)
+      {
+        x(this->Borders[at(front.border + k)], c) -= border[k];
+      }
     }
   }
   for (auto front = this->Fronts.rbegin(); front != this->Fronts.rend(); ++front)
   {
     const auto panel = factor(*front);
     const auto diagonal = panel.topRows(front->pivots);
-    auto own = x.middleRows(front->begin, front->pivots);
-    border.resize(front->borderSize, b.cols());
-    for (Index k = 0; k < front->borderSize; ++k)
+    border.resize(front->borderSize);
+    for (Index c = 0; c < x.cols(); ++c)
     {
-      border.row(k) = x.row(this->Borders[at(front->border + k)]);
-    }
-    if (cholesky)
-    {
-      own.noalias() -= panel.bottomRows(front->borderSize).transpose() * border;
-      diagonal.transpose().triangularView<Eigen::Upper>().solveInPlace(own);
-    }
-    else
-    {
-      own.noalias() -= Eigen::Map<const Matrix>(
-                         this->Values.data() + front->upper, front->pivots, front->borderSize) *
-        border;
-      diagonal.triangularView<Eigen::Upper>().solveInPlace(own);
+      auto own = x.col(c).segment(front->begin, front->pivots);
+      for (Index k = 0; k < front->borderSize; ++k)
+      {
+        border[k] = x(this->Borders[at(front->border + k)], c);
+      }
+      if (cholesky)
+      {
+        own.noalias() -= panel.bottomRows(front->borderSize).transpose() * border;
+        diagonal.transpose().triangularView<Eigen::Upper>().solveInPlace(own);
+      }
+      else
+      {
+        own.noalias() -= Eigen::Map<const Matrix>(
+                           this->Values.data() + front->upper, front->pivots, front->borderSize) *
+          border;
+        diagonal.triangularView<Eigen::Upper>().solveInPlace(own);
+      }
     }
   }
   Eigen::MatrixXd result(n, b.cols());

@@ -34,22 +34,20 @@ public:
   /**
    * Orders the pattern; no value is read.
    *
-   * @param pattern  n x n, compressed; entry (i, j) exists where (j, i) does.
-   * @param elements rows of dense blocks that will be added to the matrix; no row in two of them.
-   * @param places   n x 3: where each row lies in space, for a better order; or no rows at all.
+   * @param pattern n x n, compressed; entry (i, j) exists where (j, i) does.
+   * @param places  n x 3: where each row lies in space, for a better order; or no rows at all.
    */
-  MultifrontalSolver(const SparseMatrix& pattern, Kind kind,
-    std::vector<std::vector<Index>> elements = {}, const PointsRef& places = Points(0, 3));
+  MultifrontalSolver(
+    const SparseMatrix& pattern, Kind kind, const PointsRef& places = Points(0, 3));
 
   /**
    * @param matrix with the pattern that the solver was made for, or a part of it. For Cholesky the
    *               lower triangle in the elimination order is read, so it must be symmetric.
-   * @param elements one symmetric block for each element, in the order of its rows.
    * @throw SolverFailure when the matrix is singular or, for Cholesky, not positive definite.
    */
-  void factorize(const SparseMatrix& matrix, const std::vector<Eigen::MatrixXd>& elements = {});
+  void factorize(const SparseMatrix& matrix);
 
-  /// @param b n x k. @return n x k; any number of columns costs little more than one.
+  /// @param b n x k. @return n x k.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
 private:
@@ -66,12 +64,9 @@ private:
   };
   using Update = Eigen::MatrixXd;
 
-  std::vector<std::vector<std::size_t>> firstFronts(const Dissection& dissection) const;
   void assemble(const Front& front, const SparseMatrix& matrix, const std::vector<Index>& local);
   void extendAdd(const Front& front, Update& update, const Front& child, const Update& childUpdate,
     const std::vector<Index>& local);
-  void addElement(const Front& front, Update& update, const std::vector<Index>& rows,
-    const Eigen::MatrixXd& element, const std::vector<Index>& local);
   bool eliminate(const Front& front, Update& update);
 
   Kind Factorization;
@@ -80,8 +75,6 @@ private:
   std::vector<Front> Fronts;
   std::vector<Index> Borders; // places, rising within a front
   std::vector<double> Values;
-  std::vector<std::vector<Index>> Elements;         // rows
-  std::vector<std::vector<std::size_t>> ElementsAt; // which ones enter at each front
   std::vector<int> Pivoting; // LU: rows of a front's pivots in the order they were taken
 };
 }

@@ -63,21 +63,11 @@ Points graphCoordinates(const SparseMatrix& matrix)
 class Dissector
 {
 public:
-  Dissector(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques,
-    const PointsRef& places)
+  Dissector(const SparseMatrix& matrix, const PointsRef& places)
     : Matrix(matrix)
     , Places(places)
     , Side(static_cast<std::size_t>(matrix.rows()), None)
-    , Clique(Side.size(), -1)
-    , CliqueRows(cliques.size())
   {
-    for (std::size_t c = 0; c < cliques.size(); ++c)
-    {
-      for (const Index row : cliques[c])
-      {
-        this->Clique[static_cast<std::size_t>(row)] = static_cast<int>(c);
-      }
-    }
     this->Result.order.resize(Side.size());
     std::iota(this->Result.order.begin(), this->Result.order.end(), 0);
     this->split(0, static_cast<int>(Side.size()));
@@ -96,11 +86,6 @@ private:
 
   bool touches(int row, unsigned char side) const
   {
-    const int clique = this->Clique[static_cast<std::size_t>(row)];
-    if (clique >= 0 && this->CliqueRows[static_cast<std::size_t>(clique)][side == High] > 0)
-    {
-      return true;
-    }
     for (SparseMatrix::InnerIterator it(this->Matrix, row); it; ++it)
     {
       if (this->Side[static_cast<std::size_t>(it.row())] == side)
@@ -169,7 +154,6 @@ private:
     for (int k = begin; k < end; ++k)
     {
       this->side(k) = k < middle ? Low : High;
-      this->countClique(k, k < middle, 1);
     }
     // Either side's rows at the cut separate; the fewer ones are taken.
     std::vector<int> low;
@@ -193,21 +177,8 @@ private:
     for (int k = begin; k < end; ++k)
     {
       this->side(k) = None;
-      this->countClique(k, true, 0);
-      this->countClique(k, false, 0);
     }
     return { static_cast<int>(highBegin - at(0)), static_cast<int>(separatorBegin - at(0)) };
-  }
-
-  /// Counts a row on the low or high side of its clique; 0 sets the count back.
-  void countClique(int place, bool low, int step)
-  {
-    const int clique = this->Clique[static_cast<std::size_t>(this->row(place))];
-    if (clique >= 0)
-    {
-      int& count = this->CliqueRows[static_cast<std::size_t>(clique)][low ? 0 : 1];
-      count = step == 0 ? 0 : count + step;
-    }
   }
 
   int row(int place) const { return this->Result.order[static_cast<std::size_t>(place)]; }
@@ -216,20 +187,17 @@ private:
   const SparseMatrix& Matrix;
   const PointsRef Places;
   std::vector<unsigned char> Side;
-  std::vector<int> Clique;                    // of each row, or -1
-  std::vector<std::array<int, 2>> CliqueRows; // rows of the part being halved: low, high
   Dissection Result;
 };
 }
 
-Dissection dissect(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques,
-  const PointsRef& places)
+Dissection dissect(const SparseMatrix& matrix, const PointsRef& places)
 {
   if (matrix.rows() == 0)
   {
     return {};
   }
-  return places.rows() > 0 ? Dissector(matrix, cliques, places).result()
-                           : Dissector(matrix, cliques, graphCoordinates(matrix)).result();
+  return places.rows() > 0 ? Dissector(matrix, places).result()
+                           : Dissector(matrix, graphCoordinates(matrix)).result();
 }
 }

@@ -34,12 +34,10 @@ struct Dissection
  * are not known, breadth-first distances from two pairs of far-apart rows serve as coordinates in
  * the plane; the separators are then about a tenth longer.
  *
- * @param matrix  n x n with a symmetric pattern.
- * @param cliques rows that count as joined each to each, whatever the matrix says; disjoint.
- * @param places  n x 3: where each row lies, or no rows at all.
+ * @param matrix n x n with a symmetric pattern.
+ * @param places n x 3: where each row lies, or no rows at all.
  */
-Dissection dissect(const SparseMatrix& matrix, const std::vector<std::vector<Index>>& cliques = {},
-  const PointsRef& places = Points(0, 3));
+Dissection dissect(const SparseMatrix& matrix, const PointsRef& places = Points(0, 3));
 }
 
 #endif

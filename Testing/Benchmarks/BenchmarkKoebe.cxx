@@ -55,7 +55,7 @@ void harmonicMap(const Cap& cap)
   }
   const hexsweep::DirichletSolver solver(
     hexsweep::surfaceLaplacian(cap.mesh.points, cap.mesh.triangles, hexsweep::Weights::Cotangent),
-    fixed);
+    fixed, cap.mesh.points);
   benchmark::DoNotOptimize(solver.solve(cap.mesh.points.leftCols<2>()).sum());
 }
 

@@ -18,7 +18,6 @@ using hexsweep::MultifrontalSolver;
 using hexsweep::SparseMatrix;
 using hexsweep::TriangleMesh;
 using Kind = MultifrontalSolver::Kind;
-using Rows = std::vector<std::vector<Index>>;
 
 Eigen::MatrixXd randomMatrix(Index rows, Index columns, unsigned seed)
 {
@@ -128,36 +127,6 @@ Eigen::MatrixXd solved(Kind kind, const SparseMatrix& matrix, const Eigen::Matri
   return solver.solve(right);
 }
 
-/// Positive definite blocks, one for each list of rows.
-std::vector<Eigen::MatrixXd> randomBlocks(const Rows& rows, unsigned seed)
-{
-  std::vector<Eigen::MatrixXd> blocks;
-  for (const auto& r : rows)
-  {
-    const Index m = static_cast<Index>(r.size());
-    const Eigen::MatrixXd root = randomMatrix(m, m, seed++);
-    blocks.emplace_back(root * root.transpose() / static_cast<double>(m));
-  }
-  return blocks;
-}
-
-Eigen::MatrixXd denseSum(
-  const SparseMatrix& matrix, const Rows& rows, const std::vector<Eigen::MatrixXd>& blocks)
-{
-  Eigen::MatrixXd sum(matrix);
-  for (std::size_t e = 0; e < rows.size(); ++e)
-  {
-    for (std::size_t i = 0; i < rows[e].size(); ++i)
-    {
-      for (std::size_t j = 0; j < rows[e].size(); ++j)
-      {
-        sum(rows[e][i], rows[e][j]) += blocks[e](static_cast<Index>(i), static_cast<Index>(j));
-      }
-    }
-  }
-  return sum;
-}
-
 double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   return (a - b).norm() / b.norm();
@@ -227,55 +196,6 @@ TEST(MultifrontalSolver, LUPivotsWithinAPart)
   matrix.makeCompressed();
   const Eigen::MatrixXd right = randomMatrix(8, 2, 1);
   EXPECT_LT(difference(solved(Kind::LU, matrix, right), dense.fullPivLu().solve(right)), 1e-11);
-}
-
-TEST(MultifrontalSolver, ElementsAreDenseBlocksThatAreAdded)
-{
-  std::mt19937 generator(8);
-  for (const Kind kind : { Kind::Cholesky, Kind::LU })
-  {
-    for (const auto& [name, matrix] : definiteMatrices())
-    {
-      SCOPED_TRACE(name);
-      // Disjoint lists of rows, from one row to a quarter of them, by chance.
-      std::vector<Index> all(static_cast<std::size_t>(matrix.rows()));
-      std::iota(all.begin(), all.end(), Index(0));
-      std::shuffle(all.begin(), all.end(), generator);
-      Rows rows;
-      std::size_t next = 0;
-      for (std::size_t size = 1; next + size <= all.size() && next < all.size() / 2;
-           size = 2 * size + 1)
-      {
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(next);
-        rows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
-        next += size;
-      }
-      MultifrontalSolver solver(matrix, kind, rows);
-      const Eigen::MatrixXd right = randomMatrix(matrix.rows(), 2, 1);
-      for (const unsigned seed : { 1u, 50u })
-      {
-        const auto blocks = randomBlocks(rows, seed);
-        solver.factorize(matrix, blocks);
-        EXPECT_LT(
-          difference(solver.solve(right), denseSum(matrix, rows, blocks).ldlt().solve(right)),
-          1e-11);
-      }
-    }
-  }
-}
-
-TEST(MultifrontalSolver, LoopsAsElementsMakeALaplacianDefinite)
-{
-  // The matrix itself is singular; what is added on the loops mends it.
-  const TriangleMesh mesh = curvedPlate(24);
-  const SparseMatrix laplacian = hexsweep::cotangentLaplacian(mesh.points, mesh.triangles);
-  const Rows loops = test::loopsOf(mesh);
-  const auto blocks = randomBlocks(loops, 3);
-  MultifrontalSolver solver(laplacian, Kind::Cholesky, loops);
-  solver.factorize(laplacian, blocks);
-  const Eigen::MatrixXd right = randomMatrix(laplacian.rows(), 2, 1);
-  EXPECT_LT(
-    difference(solver.solve(right), denseSum(laplacian, loops, blocks).ldlt().solve(right)), 1e-9);
 }
 
 TEST(MultifrontalSolver, OnePatternManyMatrices)

@@ -13,7 +13,6 @@ namespace
 using hexsweep::Dissection;
 using hexsweep::Index;
 using hexsweep::SparseMatrix;
-using Cliques = std::vector<std::vector<Index>>;
 
 /// The Laplacian of a graph plus one, from its edges.
 SparseMatrix graphMatrix(int n, const std::vector<std::pair<int, int>>& edges)
@@ -119,9 +118,9 @@ bool onOneBranch(const Dissection& dissection, int a, int b)
   return false;
 }
 
-void check(const SparseMatrix& matrix, const Cliques& cliques)
+void check(const SparseMatrix& matrix, const hexsweep::PointsRef& places)
 {
-  const Dissection dissection = hexsweep::dissect(matrix, cliques);
+  const Dissection dissection = hexsweep::dissect(matrix, places);
   const std::vector<int> part = checkedParts(dissection, matrix.rows());
   const auto joined = [&](Index a, Index b) {
     return onOneBranch(
@@ -134,17 +133,7 @@ void check(const SparseMatrix& matrix, const Cliques& cliques)
       ASSERT_TRUE(joined(it.row(), j)) << "entry " << it.row() << ", " << j;
     }
   }
-  for (const auto& clique : cliques)
-  {
-    for (const Index a : clique)
-    {
-      for (const Index b : clique)
-      {
-        ASSERT_TRUE(joined(a, b)) << "clique's rows " << a << ", " << b;
-      }
-    }
-  }
-  const Dissection again = hexsweep::dissect(matrix, cliques);
+  const Dissection again = hexsweep::dissect(matrix, places);
   EXPECT_EQ(again.order, dissection.order);
   EXPECT_EQ(again.parts.size(), dissection.parts.size());
 }
@@ -171,37 +160,28 @@ TEST(NestedDissection, BranchesHaveNoEntryInCommon)
   for (const auto& [name, matrix] : graphs())
   {
     SCOPED_TRACE(name);
-    check(matrix, {});
+    check(matrix, hexsweep::Points(0, 3));
   }
 }
 
-TEST(NestedDissection, CliquesStayOnOneBranch)
+TEST(NestedDissection, PlacesInSpace)
 {
-  std::mt19937 generator(5);
-  for (const auto& [name, matrix] : graphs())
-  {
-    SCOPED_TRACE(name);
-    std::vector<Index> rows(static_cast<std::size_t>(matrix.rows()));
-    std::iota(rows.begin(), rows.end(), Index(0));
-    std::shuffle(rows.begin(), rows.end(), generator);
-    // A fifth of the rows in cliques of many sizes, far from each other in the graph.
-    Cliques cliques;
-    std::size_t next = 0;
-    for (std::size_t size = 1; next + size <= rows.size() / 5; size += 3)
-    {
-      const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(next);
-      cliques.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
-      next += size;
-    }
-    check(matrix, cliques);
-    check(matrix, { rows });
-  }
-}
-
-TEST(NestedDissection, LoopsOfACapAsCliques)
-{
+  // Those of the mesh, and nonsense: the order may be bad then, but never wrong.
   const hexsweep::TriangleMesh mesh = test::plate(36, { { 6, 6, 6, 6 }, { 21, 9, 9, 6 } }, 0.3);
-  check(meshMatrix(mesh), test::loopsOf(mesh));
+  check(meshMatrix(mesh), mesh.points);
+  hexsweep::Points scattered = mesh.points;
+  std::mt19937 generator(5);
+  std::shuffle(scattered.data(), scattered.data() + scattered.size(), generator);
+  check(meshMatrix(mesh), scattered);
+  check(meshMatrix(mesh), hexsweep::Points::Zero(mesh.points.rows(), 3));
+  // With the true places the factor is no fuller than with those guessed from the graph.
+  SparseMatrix matrix = hexsweep::cotangentLaplacian(mesh.points, mesh.triangles);
+  for (Index i = 0; i < matrix.rows(); ++i)
+  {
+    matrix.coeffRef(i, i) += 1.0;
+  }
+  EXPECT_LT(20 * fill(matrix, hexsweep::dissect(matrix, mesh.points).order),
+    21 * fill(matrix, hexsweep::dissect(matrix).order));
 }
 
 TEST(NestedDissection, AnEmptyMatrix)

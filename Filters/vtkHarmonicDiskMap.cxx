@@ -2,6 +2,7 @@
 #include "vtkHarmonicDiskMap.h"
 
 #include "Core/CanonicalDiskMap.h"
+#include "Core/Describe.h"
 #include "Core/LoopMatching.h"
 #include "Core/SurfaceTopology.h"
 #include "Core/SweepProjection.h"
@@ -89,12 +90,19 @@ int vtkHarmonicDiskMap::RequestData(
         static_cast<hexsweep::HoleTreatment>(this->HoleTreatment), weights, improvement,
         { this->Tolerance, this->MaximumIterations }, pipelineProgress(this, 0.1, 0.9));
     }
+    if (!cap.koebeFailure.empty())
+    {
+      vtkWarningMacro(
+        << "the input surface: holes are circles by arc length, as with HoleTreatment "
+           "ArcLength, since Koebe's iteration cannot be used: "
+        << cap.koebeFailure);
+    }
     if (!cap.converged)
     {
       vtkWarningMacro(
         << "Koebe's iteration has not come to its Tolerance " << this->Tolerance << " in "
         << this->MaximumIterations << " rounds; the last one still changed centres and radii by "
-        << cap.rounds.back().change
+        << (cap.rounds.size() > 1 ? describe(cap.rounds.back().change) : "an unknown amount")
         << " (sum of squares). Raise MaximumIterations, or improve the triangulation.");
     }
     const std::string flips = describeFlips(cap, "input surface");

@@ -22,8 +22,8 @@ KoebeMap arcLengthCircles(const TriangleMesh& mesh, const std::vector<Loop>& loo
   KoebeMap map;
   map.places.push_back(
     circlePoints({ { 0.0, 0.0 }, 1.0 }, arcLengthAngles(loopPoints(mesh.points, loops[0]))));
-  const FilledDiskMap filled = filledDiskMap(
-    surfaceLaplacian(mesh.points, mesh.triangles, weights), mesh.points, loops, map.places[0]);
+  const FilledDiskMap filled = filledDiskMap(surfaceLaplacian(mesh.points, mesh.triangles, weights),
+    mesh.points, loops, map.places[0], weights);
   map.holes = filled.holes;
   separateCircles(map.holes);
   for (std::size_t h = 0; h < map.holes.size(); ++h)
@@ -36,24 +36,28 @@ KoebeMap arcLengthCircles(const TriangleMesh& mesh, const std::vector<Loop>& loo
   return map;
 }
 
-/// The annulus that the cap is conformal to, where that flips nothing.
-bool mapConformally(CapDisk& cap)
+/// The same annulus with (log r, angle) linear, where that flips nothing: a small hole crowds the
+/// triangles beside it, which straight edges in the plane then cut.
+bool useCylinder(CapDisk& cap)
 {
+  CapDisk other = cap;
   const ConformalAnnulus annulus = conformalAnnulus(cap.mesh.points, cap.mesh.triangles, cap.loops);
   const double start = annulus.angle[cap.loops[0][0]];
-  cap.domain = DiskDomain::Annulus;
-  cap.holes = { { { 0.0, 0.0 }, annulus.innerRadius } };
-  cap.disk.resize(cap.mesh.points.rows(), 2);
-  for (Index i = 0; i < cap.disk.rows(); ++i)
+  other.domain = DiskDomain::Annulus;
+  for (Index i = 0; i < other.disk.rows(); ++i)
   {
     const double angle = annulus.angle[i] - start;
-    cap.disk.row(i) = std::pow(annulus.innerRadius, annulus.height[i]) *
+    other.disk.row(i) = std::pow(annulus.innerRadius, annulus.height[i]) *
       Eigen::RowVector2d(std::cos(angle), std::sin(angle));
   }
-  cap.flipped = domainTriangles(cap.domain, cap.disk, cap.mesh.triangles).flipped;
-  cap.rounds = { { cap.holes, std::numeric_limits<double>::infinity() } };
-  cap.circularity = { 0.0, 0.0 };
-  return cap.flipped.empty();
+  other.weights = Weights::Cotangent;
+  other.flipped = domainTriangles(other.domain, other.disk, other.mesh.triangles).flipped;
+  const bool good = other.flipped.empty();
+  if (good)
+  {
+    cap = std::move(other);
+  }
+  return good;
 }
 
 CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
@@ -98,24 +102,57 @@ CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weigh
       circlePoints({ { 0.0, 0.0 }, 1.0 }, arcLengthAngles(loopPoints(points, cap.loops[0])));
     mapWithFallback(cap, weights, [&](Weights w) {
       return filledDiskMap(
-        surfaceLaplacian(points, cap.mesh.triangles, w), points, cap.loops, outerPlaces)
+        surfaceLaplacian(points, cap.mesh.triangles, w), points, cap.loops, outerPlaces, w)
         .disk;
     });
     return cap;
   }
-  const bool koebe = treatment == HoleTreatment::Koebe;
-  if (koebe && cap.loops.size() == 2 && weights == Weights::Cotangent && mapConformally(cap))
+  KoebeMap map;
+  if (treatment == HoleTreatment::Koebe)
   {
-    return cap;
+    const auto part = [&](double done) { return !progress || progress(0.2 + 0.6 * done); };
+    std::vector<Weights> tried{ weights };
+    if (improvement != TriangulationImprovement::Off && weights != Weights::Intrinsic)
+    {
+      tried.push_back(Weights::Intrinsic);
+    }
+    for (std::size_t k = 0; k < tried.size() && map.places.empty(); ++k)
+    {
+      try
+      {
+        map = koebeMap(points, cap.mesh.triangles, cap.loops, limits, part, tried[k]);
+        cap.koebeFailure.clear();
+      }
+      catch (const InvalidInput& error)
+      {
+        cap.koebeFailure = error.what();
+      }
+      catch (const SolverFailure& error)
+      {
+        cap.koebeFailure = error.what();
+      }
+    }
   }
-  KoebeMap map = koebe ? koebeMap(points, cap.mesh.triangles, cap.loops, limits,
-                           [&](double done) { return !progress || progress(0.2 + 0.6 * done); })
-                       : arcLengthCircles(cap.mesh, cap.loops, weights);
+  if (map.places.empty())
+  {
+    map = arcLengthCircles(cap.mesh, cap.loops, weights);
+  }
   cap.domain = DiskDomain::Circles;
   cap.holes = std::move(map.holes);
   cap.rounds = std::move(map.rounds);
   cap.circularity = std::move(map.circularity);
   cap.converged = map.converged;
+  if (treatment == HoleTreatment::Koebe && cap.loops.size() == 2 && cap.koebeFailure.empty())
+  {
+    cap.weights = weights;
+    cap.disk = mapToPlane(cap.mesh, cap.loops, map.places, weights);
+    cap.flipped = domainTriangles(cap.domain, cap.disk, cap.mesh.triangles).flipped;
+    cap.flipsBefore = static_cast<Index>(cap.flipped.size());
+    if (cap.flipped.empty() || useCylinder(cap))
+    {
+      return cap;
+    }
+  }
   mapWithFallback(cap, weights, map.places);
   reportProgress(progress, 1.0);
   return cap;

@@ -22,8 +22,10 @@ enum class HoleTreatment
  * Maps a cap to the unit disk, its longest loop to the unit circle; the interior is harmonic,
  * equation (3), with the nodes of the loops on the circles of the domain.
  *
- * Koebe: outer nodes at their conformal angles, the smallest point id at angle 0; an annulus is
- * linear in (log r, angle), see DiskDomain. Otherwise, and with one loop: by arc length, beginning
+ * Koebe: outer nodes at their conformal angles, the smallest point id at angle 0. An annulus in
+ * which straight triangles would be flipped is linear in (log r, angle), see DiskDomain. A cap that
+ * is too coarse or too distorted for it gets circles by arc length, and CapDisk::koebeFailure says
+ * why. Otherwise, and with one loop: by arc length, beginning
  * at angle 0 with the smallest point id.
  *
  * Chords are split first (see refineSurface()). With one loop the three treatments are the same.
@@ -31,8 +33,7 @@ enum class HoleTreatment
  * @param mesh        consistently oriented.
  * @param improvement see improveCap().
  * @param limits      of Koebe's iteration.
- * @throw InvalidInput when the mesh is no cap (see checkCap()), or as koebeMap(); SolverFailure,
- *        Aborted.
+ * @throw InvalidInput when the mesh is no cap (see checkCap()), SolverFailure, Aborted.
  */
 CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
   TriangulationImprovement improvement = TriangulationImprovement::Off,

@@ -11,6 +11,8 @@
 #include "KoebeMap.h"
 #include "TriangulationImprovement.h"
 
+#include <string>
+
 namespace hexsweep
 {
 /// One cap in the disk.
@@ -34,6 +36,8 @@ struct CapDisk
   /// See KoebeMap; one number a loop, or empty.
   std::vector<double> circularity;
   bool converged = true; ///< whether the iteration came to its tolerance
+  /// Why Koebe's iteration could not be used and circles by arc length stand in; empty where not.
+  std::string koebeFailure;
   TriangulationImprovement improvement = TriangulationImprovement::Off; ///< what is allowed
   Index edgeFlips = 0;   ///< of the surface's own edges
   Index addedPoints = 0; ///< that the improvement took

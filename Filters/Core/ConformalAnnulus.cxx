@@ -13,9 +13,6 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-/// A form whose two bounds of the modulus are this far apart says nothing.
-constexpr double WorstPeriod = 2.0;
-
 /// Harmonic angle: values at the vertices, and the energy of equation (2) of its differential.
 struct HarmonicAngle
 {
@@ -80,11 +77,10 @@ ConformalAnnulus conformalAnnulus(
   const double fromHeight = 4.0 * Pi / annulus.height.dot(laplacian * annulus.height);
   const double fromAngle = angle.energy / (4.0 * Pi);
   annulus.period = fromAngle / fromHeight;
-  if (!(annulus.period > 1.0 / WorstPeriod && annulus.period < WorstPeriod))
+  if (!(fromHeight > 0.0 && fromAngle > 0.0 && std::isfinite(annulus.period)))
   {
-    throw InvalidInput("the conformal radius of the hole cannot be told: the two harmonic forms "
-                       "that should be conjugate are not. The triangulation is too coarse or too "
-                       "distorted: refine it, or improve it first.");
+    throw InvalidInput("the conformal radius of the hole cannot be told: the triangulation is too "
+                       "coarse or too distorted. Refine it, or improve it first.");
   }
   annulus.innerRadius = std::exp(-std::sqrt(fromHeight * fromAngle));
   return annulus;

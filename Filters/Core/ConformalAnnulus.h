@@ -34,8 +34,7 @@ struct ConformalAnnulus
  * that of the former from below; the radius is taken from their geometric mean.
  *
  * @param loops the outer one, then the hole.
- * @throw InvalidInput when the energies disagree by more than a factor of two: the triangulation
- *        cannot tell the modulus; SolverFailure.
+ * @throw InvalidInput when an energy is not a positive number; SolverFailure.
  */
 ConformalAnnulus conformalAnnulus(
   const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops);

@@ -21,21 +21,25 @@ void addEdge(Triplets& entries, Index i, Index j, double w)
   entries.insert(entries.end(), { { a, b, -w }, { b, a, -w }, { a, a, w }, { b, b, w } });
 }
 
-/// The weights (twice the cotangent convention of equation (1)) of a fan about `center`.
-void addFan(Triplets& entries, const PointsRef& points, const Loop& loop, Index center)
+/// The weights of a fan about `center`: cotangents, divided by the loop's mean edge length where
+/// the others have the unit 1 / length, as mean value weights do.
+void addFan(
+  Triplets& entries, const PointsRef& points, const Loop& loop, Index center, Weights weights)
 {
   const Points polygon = loopPoints(points, loop);
   const std::vector<double> angles = arcLengthAngles(polygon);
+  const double scale =
+    weights == Weights::MeanValue ? static_cast<double>(loop.size()) / closedLength(polygon) : 1.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
     const std::size_t j = (i + 1) % loop.size();
     const double end = j == 0 ? 2.0 * Pi : angles[j];
     // An isosceles triangle with this angle at the centre; wider ones would turn obtuse.
     const double apex = std::min(end - angles[i], 2.0 * Pi / 3.0);
-    const double spoke = std::tan(apex / 2.0);
+    const double spoke = scale * std::tan(apex / 2.0);
     addEdge(entries, center, loop[i], spoke);
     addEdge(entries, center, loop[j], spoke);
-    addEdge(entries, loop[i], loop[j], std::max(0.0, 1.0 / std::tan(apex)));
+    addEdge(entries, loop[i], loop[j], scale * std::max(0.0, 1.0 / std::tan(apex)));
   }
 }
 
@@ -105,8 +109,8 @@ PlanePoints circlePoints(const Circle& circle, const std::vector<double>& angles
 namespace
 {
 /// The matrix with a row for the centre of each hole's fan.
-SparseMatrix withFans(
-  const SparseMatrix& laplacian, const PointsRef& points, const std::vector<Loop>& loops)
+SparseMatrix withFans(const SparseMatrix& laplacian, const PointsRef& points,
+  const std::vector<Loop>& loops, Weights weights)
 {
   const Index n = laplacian.rows();
   const Index holes = static_cast<Index>(loops.size()) - 1;
@@ -120,7 +124,7 @@ SparseMatrix withFans(
   }
   for (Index h = 0; h < holes; ++h)
   {
-    addFan(entries, points, loops[static_cast<std::size_t>(h) + 1], n + h);
+    addFan(entries, points, loops[static_cast<std::size_t>(h) + 1], n + h, weights);
   }
   SparseMatrix filled(n + holes, n + holes);
   filled.setFromTriplets(entries.begin(), entries.end());
@@ -129,7 +133,7 @@ SparseMatrix withFans(
 }
 
 FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& points,
-  const std::vector<Loop>& loops, const PlanePointsRef& outer)
+  const std::vector<Loop>& loops, const PlanePointsRef& outer, Weights weights)
 {
   const Index n = laplacian.rows();
   const Index holes = static_cast<Index>(loops.size()) - 1;
@@ -143,7 +147,7 @@ FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& poin
       places.row(n + h) =
         loopPoints(points, loops[static_cast<std::size_t>(h) + 1]).colwise().mean();
     }
-    filled = withFans(laplacian, points, loops);
+    filled = withFans(laplacian, points, loops, weights);
   }
 
   std::vector<bool> fixed(static_cast<std::size_t>(n + holes), false);

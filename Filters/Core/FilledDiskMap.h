@@ -35,9 +35,11 @@ struct FilledDiskMap
  * @param laplacian of the cap without the fans, n x n (see surfaceLaplacian()).
  * @param loops     the outer one first, each with the surface on its left.
  * @param outer     places of the nodes of loops[0], usually on the unit circle.
+ * @param weights   that the matrix is made of.
  */
 FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& points,
-  const std::vector<Loop>& loops, const PlanePointsRef& outer);
+  const std::vector<Loop>& loops, const PlanePointsRef& outer,
+  Weights weights = Weights::Cotangent);
 
 /// Angles of a closed polygon's nodes by arc length: 0 for the first, rising to less than 2 pi.
 std::vector<double> arcLengthAngles(const PointsRef& polygon);

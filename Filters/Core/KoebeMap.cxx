@@ -2,6 +2,7 @@
 #include "KoebeMap.h"
 
 #include "ConformalAnnulus.h"
+#include "Describe.h"
 #include "DiskAutomorphism.h"
 #include "DiskDomain.h"
 #include "Errors.h"
@@ -139,9 +140,9 @@ class KoebeIteration
 {
 public:
   KoebeIteration(
-    const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops)
+    const PointsRef& points, const SparseMatrix& laplacian, const std::vector<Loop>& loops)
     : Loops(loops)
-    , Sphere(cotangentLaplacian(points, triangles), loops, points)
+    , Sphere(laplacian, loops, points)
   {
     for (const Loop& loop : loops)
     {
@@ -202,6 +203,9 @@ public:
     return result;
   }
 
+  /// Whether the nodes of a loop come one after the other on its circle.
+  bool isInOrder(std::size_t p) const { return isMonotone(this->Images[p].angles, direction(p)); }
+
   double circularity(std::size_t p) const { return this->Images[p].circularity; }
 
 private:
@@ -221,12 +225,6 @@ private:
   {
     const Angles& now = this->Gluing[p];
     const Angles target = balanced(this->Images[p].angles, this->Weights[p], now);
-    if (!isMonotone(target, direction(p)))
-    {
-      throw InvalidInput("the image of loop " + std::to_string(p) +
-        " does not wind evenly round: the triangulation there is too coarse or too distorted. "
-        "Refine it, improve it first, or use another hole treatment.");
-    }
     const std::size_t m = now.size();
     const auto error = [&](std::size_t i) { return target[i % m] - now[i % m]; };
     for (double overshoot = 1.0; overshoot > 0.01; overshoot *= 0.5)
@@ -244,7 +242,20 @@ private:
         return next;
       }
     }
-    return target;
+    // The image itself is folded: part of the way is open.
+    for (double share = 1.0; share > 0.01; share *= 0.5)
+    {
+      Angles next(m);
+      for (std::size_t i = 0; i < m; ++i)
+      {
+        next[i] = now[i] + share * error(i);
+      }
+      if (isMonotone(next, direction(p)))
+      {
+        return next;
+      }
+    }
+    return now;
   }
 
   void changeGluing()
@@ -320,6 +331,16 @@ private:
   bool Mapped = false;
 };
 
+void checkOrder(bool isInOrder, const PointsRef& points, const Loop& loop)
+{
+  if (!isInOrder)
+  {
+    throw InvalidInput("the image of the loop through " + describe(points.row(loop[0])) +
+      " does not wind evenly round: the triangulation there is too coarse or too distorted. Refine "
+      "it, or improve it first.");
+  }
+}
+
 KoebeMap mapOneHole(
   const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops)
 {
@@ -334,7 +355,8 @@ KoebeMap mapOneHole(
     Angles angles;
     for (const Index v : loops[p])
     {
-      angles.push_back(annulus.angle[v] - annulus.angle[loops[0][0]]);
+      const double angle = annulus.angle[v] - annulus.angle[loops[0][0]];
+      angles.push_back(angles.empty() ? angle : angles.back() + wrapAngle(angle - angles.back()));
     }
     map.places.push_back(
       circlePoints({ { 0.0, 0.0 }, p == 0 ? 1.0 : annulus.innerRadius }, angles));
@@ -355,7 +377,8 @@ double squaredChange(const std::vector<Circle>& a, const std::vector<Circle>& b)
 }
 
 KoebeMap koebeMap(const PointsRef& points, const TrianglesRef& triangles,
-  const std::vector<Loop>& loops, const KoebeLimits& limits, const Progress& progress)
+  const std::vector<Loop>& loops, const KoebeLimits& limits, const Progress& progress,
+  Weights weights)
 {
   reportProgress(progress, 0.0);
   if (loops.size() == 2)
@@ -363,7 +386,10 @@ KoebeMap koebeMap(const PointsRef& points, const TrianglesRef& triangles,
     return mapOneHole(points, triangles, loops);
   }
   KoebeMap result;
-  KoebeIteration iteration(points, triangles, loops);
+  KoebeIteration iteration(points,
+    surfaceLaplacian(
+      points, triangles, weights == Weights::MeanValue ? Weights::Cotangent : weights),
+    loops);
   for (int done = 0; !result.converged && done < std::max(1, limits.maximumRounds); ++done)
   {
     KoebeRound round = iteration.round();
@@ -372,6 +398,10 @@ KoebeMap koebeMap(const PointsRef& points, const TrianglesRef& triangles,
     result.converged = round.change <= limits.tolerance;
     result.rounds.push_back(std::move(round));
     reportProgress(progress, (done + 1.0) / (limits.maximumRounds + 1.0));
+  }
+  for (std::size_t p = 0; p < loops.size(); ++p)
+  {
+    checkOrder(iteration.isInOrder(p), points, loops[p]);
   }
   result.holes = result.rounds.back().holes;
   for (std::size_t p = 0; p < loops.size(); ++p)

@@ -58,11 +58,14 @@ struct KoebeLimits
  *
  * @param points, triangles consistently oriented cap; points that no triangle uses are ignored.
  * @param loops outer first, in the direction of the triangles, two or more.
+ * @param weights of two holes and more: cotangent or intrinsic (mean value ones are no metric's and
+ *        count as cotangent).
  * @throw InvalidInput when a loop's image does not wind round its hole (triangulation too coarse or
  *        too distorted), SolverFailure, Aborted.
  */
 KoebeMap koebeMap(const PointsRef& points, const TrianglesRef& triangles,
-  const std::vector<Loop>& loops, const KoebeLimits& limits = {}, const Progress& progress = {});
+  const std::vector<Loop>& loops, const KoebeLimits& limits = {}, const Progress& progress = {},
+  Weights weights = Weights::Cotangent);
 }
 
 #endif

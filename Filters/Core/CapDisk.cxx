@@ -4,6 +4,7 @@
 #include "CommonSubdivision.h"
 #include "DirichletSolver.h"
 #include "Errors.h"
+#include "IntrinsicEdgeMiddles.h"
 #include "SurfaceRefinement.h"
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 
 #include "DiskDomain.h"
 #include "IntrinsicDelaunay.h"
-#include "SurfaceRefinement.h"
 
 namespace hexsweep
 {
@@ -30,25 +29,15 @@ struct CutSurface
  * pieces either. A neighbour with points on one side becomes a fan; where that flips, more
  * triangles are cut, if need be all.
  *
- * Which edges cross, and in which order, follows from integer counts (M. Gillespie, N. Sharp,
- * K. Crane, "Integer coordinates for intrinsic geometry processing", ACM Transactions on Graphics
- * 40, 2021); only where they cross is subject to rounding.
+ * Which edges cross, and in which order, is free of rounding (see traceMeshEdges()).
  *
- * @param mesh      what `intrinsic` was made from.
+ * @param mesh      what `intrinsic` was made from, n points.
  * @param disk      n x 2, a map of the mesh's points to the domain.
- * @param triangles rows of the mesh to be cut.
+ * @param triangles rows of the mesh to be cut, in [0, mesh.triangles.rows()); without any, mesh and
+ *                  map come back as they are.
  */
 CutSurface cutAlongIntrinsicEdges(const TriangleMesh& mesh, const IntrinsicTriangulation& intrinsic,
   DiskDomain domain, const PlanePointsRef& disk, const std::vector<Index>& triangles);
-
-/**
- * Where to put points on mesh edges to split intrinsic triangles: on the longest inner edge of
- * each, the crossing nearest its middle (its middle itself where it is an edge of the mesh).
- *
- * @param triangles rows of intrinsic.triangles.
- */
-std::vector<EdgeSubdivision> middlesOfIntrinsicEdges(
-  const IntrinsicTriangulation& intrinsic, const std::vector<Index>& triangles);
 }
 
 #endif

@@ -3,6 +3,8 @@
 
 #include "Errors.h"
 #include "HalfEdgeTriangles.h"
+#include "TriangleCrossings.h"
+#include "TriangleUnfolding.h"
 
 #include <Eigen/Geometry>
 
@@ -14,7 +16,7 @@ namespace hexsweep
 {
 namespace
 {
-using Plane = Eigen::Vector2d;
+using Plane = Eigen::RowVector2d;
 
 /// Sums of two cotangents this small, relative to their size (at least 1, for cocircular right
 /// angles), are rounding: a tie, which any flip would only leave a tie.
@@ -22,11 +24,6 @@ constexpr double RelativeRounding = 1e-10;
 
 /// Termination is proved for exact numbers only; no triangulation was seen to need a tenth of it.
 constexpr Index GreatestFlipsPerEdge = 1000;
-
-double cross(const Plane& u, const Plane& v)
-{
-  return u.x() * v.y() - u.y() * v.x();
-}
 
 /// Triangles that are glued along half-edges and lie each in a plane of its own.
 class UnfoldedTriangles
@@ -89,7 +86,7 @@ public:
     const Plane a = this->place(half);
     const Plane b = this->place(HalfEdgeTriangles::next(half));
     const Plane c = this->place(HalfEdgeTriangles::previous(half));
-    const Plane d = this->unfoldedApex(other, b, a);
+    const Plane d = this->movedApex(other, b, a);
     if (!(cross(a - c, d - c) > 0.0) || !(cross(b - d, c - d) > 0.0))
     {
       return false;
@@ -162,48 +159,17 @@ private:
   const Plane& place(Index half) const { return this->Places[static_cast<std::size_t>(half)]; }
 
   /// The apex of a half-edge once its triangle is moved so that the half-edge runs from b to a.
-  Plane unfoldedApex(Index half, const Plane& b, const Plane& a) const
+  Plane movedApex(Index half, const Plane& b, const Plane& a) const
   {
-    const Plane from = this->place(half);
-    const Plane to = this->place(HalfEdgeTriangles::next(half));
-    const Plane apex = this->place(HalfEdgeTriangles::previous(half));
-    const Plane old = to - from;
-    const Plane now = a - b;
-    const Plane turn =
-      Plane(old.dot(now), cross(old, now)) / std::sqrt(old.squaredNorm() * now.squaredNorm());
-    const auto turned = [&turn](const Plane& v) {
-      return Plane(turn.x() * v.x() - turn.y() * v.y(), turn.y() * v.x() + turn.x() * v.y());
-    };
-    const bool nearFrom = (apex - from).squaredNorm() < (apex - to).squaredNorm();
-    return nearFrom ? Plane(b + turned(apex - from)) : Plane(a + turned(apex - to));
+    return unfoldedApex({ this->place(half), this->place(HalfEdgeTriangles::next(half)),
+                          this->place(HalfEdgeTriangles::previous(half)) },
+      b, a);
   }
 
   std::vector<Plane> Places; // of the corner that each half-edge starts from
   std::vector<Index> Crossings;
   std::vector<bool> OnMeshEdge; // whether the edge is one of the mesh
 };
-}
-
-TriangleCrossings triangleCrossings(Index side0, Index side1, Index side2)
-{
-  const Index sides[3] = { side0, side1, side2 };
-  TriangleCrossings result{ { 0, 0, 0 }, { 0, 0, 0 } };
-  for (Index c = 0; c < 3; ++c)
-  {
-    const Index before = sides[(c + 2) % 3];
-    const Index after = sides[c];
-    const Index opposite = sides[(c + 1) % 3];
-    if (opposite > before + after)
-    {
-      result.from[c] = opposite - before - after;
-      result.around[(c + 1) % 3] = after;
-      result.around[(c + 2) % 3] = before;
-      return result;
-    }
-    result.around[c] = (before + after - opposite) / 2;
-  }
-  // Nothing starts in a corner.
-  return result;
 }
 
 IntrinsicTriangulation intrinsicDelaunay(const PointsRef& points, const TrianglesRef& triangles)
@@ -240,7 +206,7 @@ IntrinsicTriangulation intrinsicDelaunay(const PointsRef& points, const Triangle
     result.edgeLengths(half / 3, half % 3) = unfolded.length(half);
     result.twins(half / 3, half % 3) = unfolded.Connectivity.twin(half);
     result.crossings(half / 3, half % 3) = unfolded.crossings(half);
-    result.corners.row(half) = unfolded.corner(half).transpose();
+    result.corners.row(half) = unfolded.corner(half);
     result.cotangents(half / 3, HalfEdgeTriangles::previous(half) % 3) = unfolded.cotangent(half);
   }
   return result;

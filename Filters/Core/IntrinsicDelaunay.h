@@ -38,30 +38,14 @@ struct IntrinsicTriangulation
   Index flips = 0;
 };
 
-/// How edges of one triangulation run through a triangle of the other.
-struct TriangleCrossings
-{
-  /// around[c]: how many cut off corner c; they cross the sides before and after it.
-  Index around[3];
-  /// from[c]: how many start in corner c and cross the side opposite (not 0 for one corner only).
-  Index from[3];
-};
-
-/**
- * From the crossings of the three sides (side c leads from corner c to corner c + 1); the edges do
- * not cross each other (normal coordinates: M. Gillespie, N. Sharp, K. Crane, "Integer coordinates
- * for intrinsic geometry processing", ACM Transactions on Graphics 40, 2021).
- */
-TriangleCrossings triangleCrossings(Index side0, Index side1, Index side2);
-
 /**
  * Flips inner edges until all are Delaunay: angles across from an edge sum to at most pi.
  *
  * The boundary stays. The surface's shape is not touched: triangles are unfolded in pairs, each
  * held by plane coordinates of its corners rather than by edge lengths, from which the height of a
  * needle would be the difference of almost equal numbers. The rounding error of an angle stays at
- * machine precision times the triangle's aspect. How
- * often edges of the mesh cross those of the result is counted in integers, free of rounding.
+ * machine precision times the triangle's aspect. How often edges of the mesh cross those of the
+ * result is counted in integers, free of rounding (see triangleCrossings()).
  *
  * @param triangles an oriented 2-manifold, see checkSurface().
  * @throw InvalidInput when a triangle has no area.

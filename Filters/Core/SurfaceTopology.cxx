@@ -2,84 +2,25 @@
 #include "SurfaceTopology.h"
 
 #include "Describe.h"
+#include "DisjointSets.h"
 #include "Errors.h"
+#include "FaceSides.h"
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
-#include <tuple>
 #include <unordered_map>
 
 namespace hexsweep
 {
 namespace
 {
-/// The side of a face that runs from corner `corner` to the next corner.
-struct Side
-{
-  Index low;
-  Index high;
-  Index face;
-  Index corner;
-  bool forward; // runs from low to high
-};
-
-/// All sides, those of one edge next to each other: by lower point, then higher, face, corner.
-std::vector<Side> sortedSides(const FacesRef& faces, Index numberOfPoints)
-{
-  const Index corners = faces.cols();
-  const auto forEachSide = [&](const auto& visit) {
-    for (Index f = 0; f < faces.rows(); ++f)
-    {
-      for (Index c = 0; c < corners; ++c)
-      {
-        const Index a = faces(f, c);
-        const Index b = faces(f, (c + 1) % corners);
-        visit(Side{ std::min(a, b), std::max(a, b), f, c, a < b });
-      }
-    }
-  };
-  // Buckets by lower point hold a handful of sides each.
-  std::vector<std::size_t> begin(static_cast<std::size_t>(numberOfPoints) + 1, 0);
-  forEachSide([&](const Side& side) { ++begin[static_cast<std::size_t>(side.low) + 1]; });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  std::vector<Side> sides(static_cast<std::size_t>(faces.size()));
-  forEachSide([&](const Side& side) { sides[next[static_cast<std::size_t>(side.low)]++] = side; });
-  for (std::size_t p = 0; p + 1 < begin.size(); ++p)
-  {
-    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin[p]),
-      sides.begin() + static_cast<std::ptrdiff_t>(begin[p + 1]), [](const Side& x, const Side& y) {
-        return std::tie(x.high, x.face, x.corner) < std::tie(y.high, y.face, y.corner);
-      });
-  }
-  return sides;
-}
-
 Index greatestPoint(const FacesRef& faces)
 {
   return faces.size() > 0 ? faces.maxCoeff() : -1;
 }
 
-/// Calls visit(first, last) for the run of sides of each edge.
-template <typename Visit>
-void forEachEdge(const std::vector<Side>& sides, Visit visit)
-{
-  for (std::size_t first = 0; first < sides.size();)
-  {
-    std::size_t last = first + 1;
-    while (last < sides.size() && sides[last].low == sides[first].low &&
-      sides[last].high == sides[first].high)
-    {
-      ++last;
-    }
-    visit(first, last);
-    first = last;
-  }
-}
-
-[[noreturn]] void failAtEdge(
-  const Side& side, const std::string& what, const std::string& problem, const std::string& cure)
+[[noreturn]] void failAtEdge(const FaceSide& side, const std::string& what,
+  const std::string& problem, const std::string& cure)
 {
   std::ostringstream message;
   message << "the " << what << ": " << problem << " at the edge between points " << side.low
@@ -111,39 +52,9 @@ void checkCorners(const FacesRef& faces, Index numberOfPoints, const std::string
   }
 }
 
-/// Smallest member of each point's set of edge-connected points (union-find).
-class DisjointSets
-{
-public:
-  explicit DisjointSets(Index size)
-    : Parent(static_cast<std::size_t>(size))
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), Index(0));
-  }
-  Index find(Index i)
-  {
-    while (this->at(i) != i)
-    {
-      this->at(i) = this->at(this->at(i));
-      i = this->at(i);
-    }
-    return i;
-  }
-  void join(Index a, Index b)
-  {
-    a = this->find(a);
-    b = this->find(b);
-    this->at(std::max(a, b)) = std::min(a, b);
-  }
-
-private:
-  Index& at(Index i) { return this->Parent[static_cast<std::size_t>(i)]; }
-  std::vector<Index> Parent;
-};
-
 /// Boundary point -> next boundary point, in face direction.
 std::unordered_map<Index, Index> boundarySuccessors(
-  const std::vector<Side>& sides, const FacesRef& faces, const std::string& what)
+  const std::vector<FaceSide>& sides, const FacesRef& faces, const std::string& what)
 {
   std::unordered_map<Index, Index> next;
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
@@ -151,7 +62,7 @@ std::unordered_map<Index, Index> boundarySuccessors(
     {
       return;
     }
-    const Side& side = sides[first];
+    const FaceSide& side = sides[first];
     const Index a = faces(side.face, side.corner);
     const Index b = faces(side.face, (side.corner + 1) % faces.cols());
     if (!next.emplace(a, b).second)
@@ -165,7 +76,7 @@ std::unordered_map<Index, Index> boundarySuccessors(
 }
 
 /// Faces around each point must form one fan: count the fans by joining face corners over edges.
-void checkFans(const std::vector<Side>& sides, const FacesRef& faces, Index numberOfPoints,
+void checkFans(const std::vector<FaceSide>& sides, const FacesRef& faces, Index numberOfPoints,
   const std::string& what)
 {
   const Index corners = faces.cols();
@@ -175,8 +86,8 @@ void checkFans(const std::vector<Side>& sides, const FacesRef& faces, Index numb
     {
       return;
     }
-    const Side& s = sides[first];
-    const Side& t = sides[first + 1];
+    const FaceSide& s = sides[first];
+    const FaceSide& t = sides[first + 1];
     // The sides run in opposite directions: the begin of one is the end of the other.
     fans.join(s.face * corners + s.corner, t.face * corners + (t.corner + 1) % corners);
     fans.join(s.face * corners + (s.corner + 1) % corners, t.face * corners + t.corner);
@@ -236,7 +147,7 @@ SurfaceTopology checkSurface(const FacesRef& faces, Index numberOfPoints, const 
   }
   checkCorners(faces, numberOfPoints, what);
 
-  const std::vector<Side> sides = sortedSides(faces, numberOfPoints);
+  const std::vector<FaceSide> sides = sortedSides(faces, numberOfPoints);
   DisjointSets pieces(numberOfPoints);
   Index edges = 0;
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
@@ -282,7 +193,7 @@ SurfaceTopology checkSurface(const FacesRef& faces, Index numberOfPoints, const 
 Faces orientFaces(const FacesRef& faces, const std::string& what)
 {
   const Index corners = faces.cols();
-  const std::vector<Side> sides = sortedSides(faces, greatestPoint(faces) + 1);
+  const std::vector<FaceSide> sides = sortedSides(faces, greatestPoint(faces) + 1);
   struct Link
   {
     Index face;
@@ -297,8 +208,8 @@ Faces orientFaces(const FacesRef& faces, const std::string& what)
     }
     if (last - first == 2)
     {
-      const Side& s = sides[first];
-      const Side& t = sides[first + 1];
+      const FaceSide& s = sides[first];
+      const FaceSide& t = sides[first + 1];
       const bool agrees = s.forward != t.forward;
       links[static_cast<std::size_t>(s.face)].push_back({ t.face, agrees });
       links[static_cast<std::size_t>(t.face)].push_back({ s.face, agrees });
@@ -381,12 +292,12 @@ void checkCap(const SurfaceTopology& topology, const std::string& what)
 Triangles triangleNeighbors(const TrianglesRef& triangles)
 {
   Triangles neighbors = Triangles::Constant(triangles.rows(), 3, -1);
-  const std::vector<Side> sides = sortedSides(triangles, greatestPoint(triangles) + 1);
+  const std::vector<FaceSide> sides = sortedSides(triangles, greatestPoint(triangles) + 1);
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first == 2)
     {
-      const Side& s = sides[first];
-      const Side& t = sides[first + 1];
+      const FaceSide& s = sides[first];
+      const FaceSide& t = sides[first + 1];
       neighbors(s.face, s.corner) = t.face;
       neighbors(t.face, t.corner) = s.face;
     }

@@ -7,6 +7,7 @@
 #include "FilledDiskMap.h"
 #include "LinkingRings.h"
 #include "RingParameter.h"
+#include "SeamWelding.h"
 #include "SurfaceRefinement.h"
 #include "SurfaceTopology.h"
 

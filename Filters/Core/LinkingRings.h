@@ -40,16 +40,6 @@ struct LinkingRings
 };
 
 /**
- * The linking quads with the points of seams joined: patches that do not share points along their
- * seams come to share the smallest id there. Only points on edges with one quad are joined.
- *
- * @param matchTolerance as for traceLinkingRings().
- * @throw InvalidInput when a quad names a point that does not exist or is not finite.
- */
-Quads weldLinkingSeams(
-  const PointsRef& linkingPoints, const QuadsRef& linkingQuads, double matchTolerance = 1e-6);
-
-/**
  * Walks over the linking quads from the source loops to the far end.
  *
  * The linking cells may have any orientation, each of them. Patches that do not share points

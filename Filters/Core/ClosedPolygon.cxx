@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClosedPolygon.h"
 
+#include "Constants.h"
 #include "Describe.h"
 #include "Errors.h"
 
@@ -13,7 +14,7 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double CornerAngle = 3.14159265358979323846 / 6.0;
+constexpr double CornerAngle = Pi / 6.0;
 constexpr double ShortestEdge = 1e-6; // of the loop
 /// Half the length of a fillet that counts as one corner, of the loop.
 constexpr double FilletReach = 0.005;

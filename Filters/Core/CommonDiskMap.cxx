@@ -14,8 +14,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// Radius of a common hole over the smaller of the two caps' hole radii: small enough that
 /// neither map has to shrink its hole much beyond what fits between its neighbours.
 constexpr double CommonHoleShrink = 0.4;

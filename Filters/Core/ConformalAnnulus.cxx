@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConformalAnnulus.h"
 
+#include "Constants.h"
 #include "DirichletSolver.h"
 #include "Errors.h"
 #include "HoleCut.h"
@@ -11,7 +12,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 /// Harmonic angle: values at the vertices, and the energy of equation (2) of its differential.
 struct HarmonicAngle

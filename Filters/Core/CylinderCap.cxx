@@ -2,14 +2,13 @@
 #include "CylinderCap.h"
 
 #include "CapDisk.h"
+#include "Constants.h"
 #include "DirichletSolver.h"
 
 namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// Whether the angles turn once in the given direction without standing still.
 bool isMonotone(const std::vector<double>& angles, double direction)
 {

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DiskDomain.h"
 
+#include "Constants.h"
 #include "Predicates.h"
 
 #include <cmath>
 
 namespace hexsweep
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
-
 double wrapAngle(double angle)
 {
   const double wrapped = std::remainder(angle, 2.0 * Pi);

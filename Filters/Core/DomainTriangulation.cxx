@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DomainTriangulation.h"
 
+#include "Constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,8 +12,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// Points of the strip and their copies, one or more turns higher or lower.
 class StripPoints
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilledDiskMap.h"
 
+#include "Constants.h"
 #include "DirichletSolver.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 
 void addEdge(Triplets& entries, Index i, Index j, double w)

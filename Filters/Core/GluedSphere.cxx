@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GluedSphere.h"
 
+#include "Constants.h"
 #include "DiskFill.h"
 #include "FillMesh.h"
 #include "FilledDiskMap.h"
@@ -14,8 +15,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 using Complex = std::complex<double>;
 
 /// How much the outer loop's mean weighs: little against the energies of maps, whose loops' is 2

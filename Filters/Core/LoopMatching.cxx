@@ -3,6 +3,7 @@
 
 #include "AffineMap.h"
 #include "Assignment.h"
+#include "Constants.h"
 #include "Describe.h"
 #include "Errors.h"
 #include "FilledDiskMap.h"
@@ -17,7 +18,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr std::size_t DoubtsToName = 10;
 /// A line whose angle to a plane has a smaller sine lies in it, as far as can be said.
 constexpr double InPlane = 0.1;

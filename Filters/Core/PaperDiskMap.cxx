@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PaperDiskMap.h"
 
+#include "Constants.h"
 #include "Errors.h"
 #include "RingParameter.h"
 
@@ -11,7 +12,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 const Circle UnitCircle{ { 0.0, 0.0 }, 1.0 };
 
 /// The outer loop turns counter-clockwise, holes clockwise (the surface lies on the left).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RingParameter.h"
 
+#include "Constants.h"
 #include "Errors.h"
 #include "TriangleSearch.h"
 
@@ -12,7 +13,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double SamePlace = 1e-7; // of a ring edge
 
 /// A piece of the ring between two places, as nodes with their parameters.

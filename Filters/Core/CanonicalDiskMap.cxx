@@ -90,9 +90,7 @@ CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weigh
   cap.loops = std::move(topology.loops);
   const Points& points = cap.mesh.points;
   const auto outer =
-    std::max_element(cap.loops.begin(), cap.loops.end(), [&](const Loop& a, const Loop& b) {
-      return closedLength(loopPoints(points, a)) < closedLength(loopPoints(points, b));
-    });
+    cap.loops.begin() + static_cast<std::ptrdiff_t>(longestLoop(points, cap.loops));
   std::rotate(cap.loops.begin(), outer, outer + 1);
 
   reportProgress(progress, 0.2);

@@ -4,6 +4,7 @@
 #include "Constants.h"
 #include "Describe.h"
 #include "Errors.h"
+#include "LoopGeometry.h"
 
 #include <Eigen/Geometry>
 
@@ -34,17 +35,11 @@ double apart(double a, double b)
 
 ClosedPolygon::ClosedPolygon(Points nodes)
   : Nodes(std::move(nodes))
-  , Reached(static_cast<std::size_t>(Nodes.rows()) + 1, 0.0)
+  , Reached(reachedLengths(Nodes))
 {
-  const Index n = this->Nodes.rows();
-  for (Index i = 0; i < n; ++i)
-  {
-    this->Reached[static_cast<std::size_t>(i) + 1] = this->Reached[static_cast<std::size_t>(i)] +
-      (this->Nodes.row((i + 1) % n) - this->Nodes.row(i)).norm();
-  }
   if (!(this->length() > 0.0))
   {
-    throw InvalidInput("a boundary loop has no length: its " + std::to_string(n) +
+    throw InvalidInput("a boundary loop has no length: its " + std::to_string(this->Nodes.rows()) +
       " nodes coincide at " + describe(this->Nodes.row(0)) + ". Remove the collapsed cells there.");
   }
 }

@@ -4,26 +4,10 @@
 #include "CapDisk.h"
 #include "Constants.h"
 #include "DirichletSolver.h"
+#include "LoopGeometry.h"
 
 namespace hexsweep
 {
-namespace
-{
-/// Whether the angles turn once in the given direction without standing still.
-bool isMonotone(const std::vector<double>& angles, double direction)
-{
-  for (std::size_t k = 0; k < angles.size(); ++k)
-  {
-    const double next = k + 1 < angles.size() ? angles[k + 1] : angles[0] + direction * 2.0 * Pi;
-    if (!((next - angles[k]) * direction > 0.0))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-}
-
 CylinderCap measureCylinder(const SparseMatrix& laplacian, const PointsRef& points,
   const TrianglesRef& triangles, const std::vector<Loop>& loops)
 {
@@ -61,7 +45,7 @@ std::vector<double> monotoneLoopAngles(const CylinderCap& cylinder, const Loop& 
   const std::vector<double>& lengths, double direction)
 {
   std::vector<double> angles = loopAngles(cylinder, loop);
-  if (isMonotone(angles, direction))
+  if (turnsOnce(angles, direction))
   {
     return angles;
   }

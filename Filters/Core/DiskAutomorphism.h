@@ -6,7 +6,7 @@
 #ifndef hexsweep_DiskAutomorphism_h
 #define hexsweep_DiskAutomorphism_h
 
-#include "FilledDiskMap.h"
+#include "Circle.h"
 
 #include <complex>
 

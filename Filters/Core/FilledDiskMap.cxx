@@ -54,59 +54,7 @@ double equivalentRadius(const PlanePoints& disk, const Loop& loop)
   }
   return std::sqrt(std::abs(twiceArea) / (2.0 * Pi));
 }
-}
 
-Points loopPoints(const PointsRef& points, const Loop& loop)
-{
-  Points result(static_cast<Index>(loop.size()), 3);
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    result.row(static_cast<Index>(i)) = points.row(loop[i]);
-  }
-  return result;
-}
-
-double closedLength(const PointsRef& polygon)
-{
-  double length = 0.0;
-  for (Index i = 0; i < polygon.rows(); ++i)
-  {
-    length += (polygon.row((i + 1) % polygon.rows()) - polygon.row(i)).norm();
-  }
-  return length;
-}
-
-std::vector<double> arcLengthAngles(const PointsRef& polygon)
-{
-  const Index n = polygon.rows();
-  std::vector<double> length(static_cast<std::size_t>(n) + 1, 0.0);
-  for (Index i = 0; i < n; ++i)
-  {
-    length[static_cast<std::size_t>(i) + 1] =
-      length[static_cast<std::size_t>(i)] + (polygon.row((i + 1) % n) - polygon.row(i)).norm();
-  }
-  const double whole = length.back();
-  length.pop_back();
-  for (double& l : length)
-  {
-    l *= 2.0 * Pi / whole;
-  }
-  return length;
-}
-
-PlanePoints circlePoints(const Circle& circle, const std::vector<double>& angles)
-{
-  PlanePoints points(static_cast<Index>(angles.size()), 2);
-  for (std::size_t i = 0; i < angles.size(); ++i)
-  {
-    points.row(static_cast<Index>(i)) =
-      circle.center + circle.radius * Eigen::RowVector2d(std::cos(angles[i]), std::sin(angles[i]));
-  }
-  return points;
-}
-
-namespace
-{
 /// The matrix with a row for the centre of each hole's fan.
 SparseMatrix withFans(const SparseMatrix& laplacian, const PointsRef& points,
   const std::vector<Loop>& loops, Weights weights)

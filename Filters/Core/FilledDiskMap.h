@@ -6,17 +6,12 @@
 #ifndef hexsweep_FilledDiskMap_h
 #define hexsweep_FilledDiskMap_h
 
+#include "Circle.h"
+#include "LoopGeometry.h"
 #include "SurfaceLaplacian.h"
 
 namespace hexsweep
 {
-/// A circle of the plane.
-struct Circle
-{
-  Eigen::RowVector2d center = Eigen::RowVector2d::Zero();
-  double radius = 0.0;
-};
-
 struct FilledDiskMap
 {
   /// n x 2. Points that no triangle uses get the origin.
@@ -34,24 +29,14 @@ struct FilledDiskMap
  *
  * @param laplacian of the cap without the fans, n x n (see surfaceLaplacian()).
  * @param loops     the outer one first, each with the surface on its left.
- * @param outer     places of the nodes of loops[0], usually on the unit circle.
+ * @param outer     places of the nodes of loops[0], usually on the unit circle (see circlePoints(),
+ *                  arcLengthAngles()).
  * @param weights   that the matrix is made of.
+ * @throw SolverFailure.
  */
 FilledDiskMap filledDiskMap(const SparseMatrix& laplacian, const PointsRef& points,
   const std::vector<Loop>& loops, const PlanePointsRef& outer,
   Weights weights = Weights::Cotangent);
-
-/// Angles of a closed polygon's nodes by arc length: 0 for the first, rising to less than 2 pi.
-std::vector<double> arcLengthAngles(const PointsRef& polygon);
-
-/// Points at these angles on a circle.
-PlanePoints circlePoints(const Circle& circle, const std::vector<double>& angles);
-
-/// Length of a closed polygon, the edge from its last node to the first one included.
-double closedLength(const PointsRef& polygon);
-
-/// Rows of points at the nodes of a loop.
-Points loopPoints(const PointsRef& points, const Loop& loop);
 }
 
 #endif

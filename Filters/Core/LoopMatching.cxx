@@ -6,8 +6,8 @@
 #include "Constants.h"
 #include "Describe.h"
 #include "Errors.h"
-#include "FilledDiskMap.h"
 #include "LoopCorrespondence.h"
+#include "LoopGeometry.h"
 
 #include <Eigen/Geometry>
 

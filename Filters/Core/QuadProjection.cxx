@@ -5,6 +5,7 @@
 #include "DomainTriangulation.h"
 #include "Errors.h"
 #include "HilbertOrder.h"
+#include "LoopGeometry.h"
 #include "TriangleSearch.h"
 #include "TriangleWalk.h"
 

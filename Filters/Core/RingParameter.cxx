@@ -3,6 +3,7 @@
 
 #include "Constants.h"
 #include "Errors.h"
+#include "LoopGeometry.h"
 #include "TriangleSearch.h"
 
 #include <algorithm>
@@ -306,13 +307,7 @@ std::size_t unitedPlace(const std::vector<double>& united, Index ringSize, doubl
 
 std::vector<double> ringLengths(const PointsRef& ring, const std::vector<double>& united)
 {
-  const Index n = ring.rows();
-  std::vector<double> nodeLength(static_cast<std::size_t>(n) + 1, 0.0);
-  for (Index j = 0; j < n; ++j)
-  {
-    nodeLength[static_cast<std::size_t>(j) + 1] =
-      nodeLength[static_cast<std::size_t>(j)] + (ring.row((j + 1) % n) - ring.row(j)).norm();
-  }
+  const std::vector<double> nodeLength = reachedLengths(ring);
   std::vector<double> lengths;
   for (const double s : united)
   {

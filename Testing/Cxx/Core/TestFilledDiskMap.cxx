@@ -10,7 +10,6 @@ namespace
 using hexsweep::FilledDiskMap;
 using hexsweep::Index;
 using hexsweep::PlanePoints;
-using hexsweep::Points;
 using hexsweep::TriangleMesh;
 using hexsweep::Weights;
 
@@ -32,28 +31,6 @@ Index flips(const PlanePoints& disk, const hexsweep::Triangles& triangles)
   }
   return count;
 }
-}
-
-TEST(FilledDiskMap, AnglesByArcLength)
-{
-  Points polygon(4, 3);
-  polygon << 0, 0, 5, 3, 0, 5, 3, 1, 5, 0, 1, 5;
-  const std::vector<double> angles = hexsweep::arcLengthAngles(polygon);
-  ASSERT_EQ(angles.size(), 4u);
-  const double expected[4] = { 0.0, 3.0 / 8.0, 4.0 / 8.0, 7.0 / 8.0 };
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    EXPECT_NEAR(angles[i], 2.0 * test::Pi * expected[i], 1e-15);
-  }
-}
-
-TEST(FilledDiskMap, PointsOnACircle)
-{
-  const PlanePoints points =
-    hexsweep::circlePoints({ { 1.0, 2.0 }, 3.0 }, { 0.0, test::Pi / 2.0, test::Pi });
-  EXPECT_LT((points.row(0) - Eigen::RowVector2d(4, 2)).norm(), 1e-15);
-  EXPECT_LT((points.row(1) - Eigen::RowVector2d(1, 5)).norm(), 1e-15);
-  EXPECT_LT((points.row(2) - Eigen::RowVector2d(-2, 2)).norm(), 1e-15);
 }
 
 TEST(FilledDiskMap, IsTheIdentityOnAPlaneAnnulus)

@@ -17,18 +17,13 @@ constexpr std::uint32_t None = PlaneTriangulation::None;
 /// The distance to a box and that to a triangle in it are rounded differently: boxes that are
 /// farther by no more than rounding may hold the triangle of lower id.
 constexpr double TieSlack = 1.0 + 1e-9;
-
-Eigen::RowVector2d rowOf(const Vertex& p)
-{
-  return { p.x, p.y };
-}
 }
 
 bool holdsPoint(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& q)
 {
-  const Eigen::RowVector2d p = rowOf(q);
-  return orientation(rowOf(a), rowOf(b), p) >= 0 && orientation(rowOf(b), rowOf(c), p) >= 0 &&
-    orientation(rowOf(c), rowOf(a), p) >= 0;
+  const Eigen::RowVector2d p = q.row();
+  return orientation(a.row(), b.row(), p) >= 0 && orientation(b.row(), c.row(), p) >= 0 &&
+    orientation(c.row(), a.row(), p) >= 0;
 }
 
 PlaneBox boxOf(const Vertex& a, const Vertex& b, const Vertex& c)

@@ -109,9 +109,6 @@ void PlaneTriangulation::linkPositive()
       mark.side = None;
     }
   };
-  const auto placeOf = [&](std::uint32_t v) {
-    return Eigen::RowVector2d(this->Places[v].x, this->Places[v].y);
-  };
 
   std::uint32_t kept = 0;
   std::uint32_t begin = 0;
@@ -121,7 +118,8 @@ void PlaneTriangulation::linkPositive()
     for (std::uint32_t t = begin; t < end; ++t)
     {
       const auto& corners = this->Cells[t].corners;
-      const int sign = orientation(placeOf(v), placeOf(corners[1]), placeOf(corners[2]));
+      const int sign = orientation(
+        this->Places[v].row(), this->Places[corners[1]].row(), this->Places[corners[2]].row());
       if (sign <= 0)
       {
         if (sign < 0)

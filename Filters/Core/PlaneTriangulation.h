@@ -25,6 +25,8 @@ public:
   {
     double x;
     double y;
+
+    Eigen::RowVector2d row() const { return { this->x, this->y }; }
   };
 
   /// What the walk reads of one triangle, half a cache line.

@@ -2,10 +2,9 @@
 #include "TriangleWalk.h"
 
 #include "Errors.h"
-#include "Predicates.h"
+#include "VisibilityWalk.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace hexsweep
@@ -18,53 +17,13 @@ using Triangle = PlaneTriangulation::Triangle;
 constexpr std::uint32_t None = PlaneTriangulation::None;
 constexpr std::size_t BlockSize = 4096;
 
-/// A search by boxes costs about as much as this many steps.
-constexpr int LongestWalk = 128;
-
-/// Which of two edges is crossed where both part the triangle from the point: bits by chance, so
-/// that a walk in a circle does not close.
-constexpr std::uint32_t Choices = 0x9e3779b9u;
-
-Eigen::RowVector2d rowOf(const Vertex& p)
-{
-  return { p.x, p.y };
-}
-
-Vertex difference(const Vertex& a, const Vertex& b)
-{
-  return { a.x - b.x, a.y - b.y };
-}
-
-/// Twice the area of the triangle a, b, q, given u = a - q and v = b - q as rounded; its sign is
-/// exact: exactly(), asked in doubt, gives orientation(a, b, q).
-template <typename Exactly>
-double area(const Vertex& u, const Vertex& v, const Exactly& exactly)
-{
-  const double left = u.x * v.y;
-  const double right = u.y * v.x;
-  const double difference = left - right;
-  return std::abs(difference) > OrientationErrorBound * (std::abs(left) + std::abs(right))
-    ? difference
-    : static_cast<double>(exactly());
-}
-
 double squaredLength(const Vertex& u)
 {
   return u.x * u.x + u.y * u.y;
 }
 
-/// What walk() returns for a point inside of a triangle: not one of its sides 0, 1, 2.
-constexpr std::uint32_t NoSide = 3;
-
-bool isInside(std::uint32_t arrived)
-{
-  return (arrived & 3u) == NoSide;
-}
-
-std::uint32_t next(std::uint32_t corner)
-{
-  return corner == 2 ? 0 : corner + 1;
-}
+/// Triangles round a vertex that are looked at one by one; a search by boxes costs about as much.
+constexpr int MostTurns = 128;
 
 /// Barycentric coordinates of a point that lies in the triangle.
 Eigen::RowVector3d coordinatesIn(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& q)
@@ -103,75 +62,6 @@ TriangleWalk::TriangleWalk(const PlanePointsRef& points, const TrianglesRef& tri
   });
 }
 
-/// A side of the triangle that was found on which the point lies; where it lies on none see
-/// isInside(); None where the walk was given up.
-std::uint32_t TriangleWalk::walk(std::uint32_t start, const Vertex& q) const
-{
-  const auto seenFrom = [&](
-                          std::uint32_t corner) { return difference(this->Mesh.point(corner), q); };
-  const auto exactly = [&](const Triangle& triangle, std::uint32_t corner) {
-    return exactOrientation(rowOf(this->Mesh.point(triangle.corners[corner])),
-      rowOf(this->Mesh.point(triangle.corners[next(corner)])), rowOf(q));
-  };
-  const Triangle* triangle = &this->Mesh.triangle(start);
-  std::uint32_t side = 4 * start;
-  // The ends of `side` as seen from q, which lies left of it.
-  Vertex ends[2] = { seenFrom(triangle->corners[0]), seenFrom(triangle->corners[1]) };
-  double areaAB = area(ends[0], ends[1], [&] { return exactly(*triangle, 0); });
-  if (areaAB < 0.0 && triangle->across[0] != None)
-  {
-    side = triangle->across[0];
-    triangle = &this->Mesh.triangle(side >> 2);
-    std::swap(ends[0], ends[1]);
-    areaAB = 1.0;
-  }
-  std::uint32_t choices = Choices;
-  for (int step = 0; step < LongestWalk; ++step)
-  {
-    const std::uint32_t cornerB = next(side & 3);
-    const std::uint32_t cornerC = next(cornerB);
-    const Vertex c = seenFrom(triangle->corners[cornerC]);
-    const double areaBC = area(ends[1], c, [&] { return exactly(*triangle, cornerB); });
-    const double areaCA = area(c, ends[0], [&] { return exactly(*triangle, cornerC); });
-    const bool beyondBC = areaBC < 0.0;
-    const bool beyondCA = areaCA < 0.0;
-    // Operators of bits, and not of logic, here and below: which way a walk turns is nothing that
-    // a processor could predict.
-    if (!(beyondBC | beyondCA))
-    {
-      const std::uint32_t here = side & ~3u;
-      if (areaAB > 0.0 && areaBC > 0.0 && areaCA > 0.0)
-      {
-        return here | NoSide;
-      }
-      // Only the first triangle can lie on the wrong side of its first edge.
-      return areaAB < 0.0 ? None
-                          : (areaAB == 0.0 ? side : here | (areaBC == 0.0 ? cornerB : cornerC));
-    }
-    choices = (choices >> 1) | (choices << 31);
-    std::uint32_t overCA = static_cast<std::uint32_t>(beyondCA) &
-      (static_cast<std::uint32_t>(!beyondBC) | (choices & 1u));
-    side = triangle->across[overCA ? cornerC : cornerB];
-    if (side == None)
-    {
-      overCA = 1 - overCA;
-      if (beyondBC && beyondCA)
-      {
-        side = triangle->across[overCA ? cornerC : cornerB];
-      }
-      if (side == None)
-      {
-        return None;
-      }
-    }
-    // The neighbour has the edge the other way round: C to B, or A to C.
-    ends[overCA] = c;
-    triangle = &this->Mesh.triangle(side >> 2);
-    areaAB = 1.0;
-  }
-  return None;
-}
-
 /// The triangle that a point on an edge or a vertex belongs to. `side` is one that it lies on.
 std::uint32_t TriangleWalk::lowestAround(std::uint32_t side, const Vertex& q)
 {
@@ -183,7 +73,7 @@ std::uint32_t TriangleWalk::lowestAround(std::uint32_t side, const Vertex& q)
   const Triangle& first = this->Mesh.triangle(side >> 2);
   const std::uint32_t begin = side & 3;
   const bool atBegin = at(first.corners[begin]);
-  const bool atEnd = at(first.corners[next(begin)]);
+  const bool atEnd = at(first.corners[nextCorner(begin)]);
   std::uint32_t lowest = side >> 2;
   std::uint32_t current = side;
   int turns = 0;
@@ -192,7 +82,7 @@ std::uint32_t TriangleWalk::lowestAround(std::uint32_t side, const Vertex& q)
     current = this->Mesh.triangle(current >> 2).across[current & 3];
     // Beyond a boundary there may be more triangles at this point. Many triangles round a vertex
     // are a search's matter as well.
-    if (current == None || ++turns > LongestWalk)
+    if (current == None || ++turns > MostTurns)
     {
       return this->search(q);
     }
@@ -204,11 +94,11 @@ std::uint32_t TriangleWalk::lowestAround(std::uint32_t side, const Vertex& q)
     // The point is now at the other end of the side: go on over the side that shares it.
     if (atBegin)
     {
-      current = (current & ~3u) | next(current & 3);
+      current = (current & ~3u) | nextCorner(current & 3);
     }
     else if (atEnd)
     {
-      current = (current & ~3u) | next(next(current & 3));
+      current = (current & ~3u) | nextCorner(nextCorner(current & 3));
     }
   } while (current >> 2 != side >> 2);
   return lowest;
@@ -248,7 +138,7 @@ TriangleWalk::Place TriangleWalk::locate(const Vertex& q, std::uint32_t start)
   }
   else
   {
-    const std::uint32_t arrived = this->walk(start, q);
+    const std::uint32_t arrived = visibilityWalk(this->Mesh, start, q);
     t = arrived == None   ? this->search(q)
       : isInside(arrived) ? arrived >> 2
                           : this->lowestAround(arrived, q);

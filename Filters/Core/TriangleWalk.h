@@ -33,11 +33,9 @@ struct LocatedPoints
  * Locates points in the positively oriented triangles of a plane mesh.
  *
  * Mesh and points are visited in the order of Hilbert's curve: the walk to a point begins in the
- * triangle of the point before it, or at the vertex next to it on the curve, whichever is nearer.
- * It crosses an edge that parts the triangle from the point, any of them where there are two, and
- * never the one that it came over (O. Devillers, S. Pion, M. Teillaud, "Walking in a
- * triangulation", 2002). Signs are exact. Walks that leave the mesh (over a hole or a gap) or grow
- * long, as they may in circles, are given up for a search by boxes, as are points on a boundary.
+ * triangle of the point before it, or at the vertex next to it on the curve, whichever is nearer
+ * (see visibilityWalk()). Signs are exact. Walks that leave the mesh or grow long are given up for
+ * a search by boxes, as are points on a boundary.
  *
  * The answer depends on the point alone, not on the numbering, on the other points or on where a
  * walk began: a point on an edge or a vertex belongs to the lowest row among the triangles that it
@@ -77,7 +75,6 @@ private:
   };
 
   Place locate(const Vertex& q, std::uint32_t start);
-  std::uint32_t walk(std::uint32_t start, const Vertex& q) const;
   std::uint32_t lowestAround(std::uint32_t side, const Vertex& q);
   std::uint32_t search(const Vertex& q);
   bool inFlipped(const Vertex& q) const;

@@ -43,16 +43,20 @@ std::size_t longestLoop(const PointsRef& points, const std::vector<Loop>& loops)
   return static_cast<std::size_t>(longest - loops.begin());
 }
 
+std::vector<double> anglesOfLengths(std::vector<double> reached)
+{
+  const double whole = reached.back();
+  reached.pop_back();
+  for (double& length : reached)
+  {
+    length *= 2.0 * Pi / whole;
+  }
+  return reached;
+}
+
 std::vector<double> arcLengthAngles(const PointsRef& polygon)
 {
-  std::vector<double> angles = reachedLengths(polygon);
-  const double whole = angles.back();
-  angles.pop_back();
-  for (double& angle : angles)
-  {
-    angle *= 2.0 * Pi / whole;
-  }
-  return angles;
+  return anglesOfLengths(reachedLengths(polygon));
 }
 
 bool turnsOnce(const std::vector<double>& angles, double direction)

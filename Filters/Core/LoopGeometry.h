@@ -24,8 +24,14 @@ double closedLength(const PointsRef& polygon);
 /// Number of the longest loop, of several the first one. @param loops at least one.
 std::size_t longestLoop(const PointsRef& points, const std::vector<Loop>& loops);
 
-/// Angles (radians) of a polygon's nodes by arc length: 0 for the first, rising to less than 2 pi.
-/// @param polygon of positive length.
+/**
+ * Reached lengths as angles (radians): 0 for the first node, rising to less than 2 pi.
+ *
+ * @param reached as from reachedLengths(); the whole length, which has no angle, is positive.
+ */
+std::vector<double> anglesOfLengths(std::vector<double> reached);
+
+/// Angles of a polygon's nodes by arc length. @param polygon of positive length.
 std::vector<double> arcLengthAngles(const PointsRef& polygon);
 
 /**

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RingParameter.h"
 
-#include "Constants.h"
 #include "Errors.h"
 #include "LoopGeometry.h"
 #include "TriangleSearch.h"
@@ -321,13 +320,6 @@ std::vector<double> ringLengths(const PointsRef& ring, const std::vector<double>
 
 std::vector<double> ringAngles(const PointsRef& ring, const std::vector<double>& united)
 {
-  std::vector<double> angles = ringLengths(ring, united);
-  const double whole = angles.back();
-  angles.pop_back();
-  for (double& angle : angles)
-  {
-    angle *= 2.0 * Pi / whole;
-  }
-  return angles;
+  return anglesOfLengths(ringLengths(ring, united));
 }
 }

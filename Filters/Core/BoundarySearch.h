@@ -16,15 +16,18 @@ namespace hexsweep
 class BoundarySearch
 {
 public:
+  /// @param points n x 3. @param loops at least one; ids in [0, n).
   BoundarySearch(const PointsRef& points, const std::vector<Loop>& loops);
 
+  /// A point of the boundary; lengths in the points' unit.
   struct Place
   {
     std::size_t loop;
-    double position; ///< edge of the loop + fraction
-    double distance;
-    double edgeLength;
+    double position;   ///< edge of the loop + fraction along it, in [0, number of nodes]
+    double distance;   ///< from the point that was asked for
+    double edgeLength; ///< of the edge that the place lies on
   };
+  /// The boundary's point next to p.
   Place closest(const Eigen::RowVector3d& p) const;
 
 private:
@@ -39,7 +42,7 @@ struct BoundaryMismatch
 {
   Index nodes = 0;                                       ///< how many
   Index ringNodes = 0;                                   ///< of how many
-  double distance = 0.0;                                 ///< the greatest one
+  double distance = 0.0;                                 ///< the greatest of theirs from the cap
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero(); ///< the node with that distance
 };
 
@@ -52,7 +55,9 @@ struct BoundaryMismatch
  * sagitta, or when it is that far across that plane; where the plane itself turns by an angle beta
  * along the edge, sin(beta) times that is allowed there.
  *
- * @param rings closed polygons, each n x 3.
+ * @param loops          of the cap, ids of its points.
+ * @param rings          closed polygons, each n x 3.
+ * @param matchTolerance >= 0, relative to the longest edge at a node, of the ring and the cap.
  */
 BoundaryMismatch boundaryMismatch(const PointsRef& points, const std::vector<Loop>& loops,
   const std::vector<Points>& rings, double matchTolerance);

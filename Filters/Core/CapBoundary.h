@@ -56,6 +56,7 @@ LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstL
 struct CapBoundary
 {
   TriangleMesh mesh; ///< turned over where needed: the outer loop runs as its ring does
+  /// Row of the cap as it was given that each triangle of mesh is part of.
   std::vector<Index> triangleOrigin;
   /// loops[p][k]: vertex at united place k of ring p.
   std::vector<Loop> loops;
@@ -78,7 +79,8 @@ struct CapBoundaries
  * Attaches the boundary vertices of both caps to the rings and splits both triangulations at the
  * union of all of them. Chords are split as well (see refineSurface()).
  *
- * @param first, second caps with consistently oriented triangles and as many loops as pairs.
+ * @param first, second  caps with consistently oriented triangles and as many loops as pairs.
+ * @param matchTolerance relative to the local edge length, see ringParameters().
  * @throw InvalidInput when a ring has no loop within a quarter of the local edge length, two rings
  *        lie on one loop, or the loops of the second cap run against each other.
  */

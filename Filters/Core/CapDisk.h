@@ -20,6 +20,7 @@ struct CapDisk
 {
   TriangleMesh mesh; ///< original points first; positively oriented with its partner
   Index numberOfOriginalPoints = 0;
+  /// Row of the cap as it was given in which each triangle lies (its middle, after edge flips).
   std::vector<Index> triangleOrigin;
   PlanePoints disk; ///< one row a point of mesh
   DiskDomain domain = DiskDomain::Disk;
@@ -28,8 +29,9 @@ struct CapDisk
   Weights weights = Weights::Cotangent; ///< what was used in the end
   /// Triangles that are flipped in the disk (rows of mesh.triangles).
   std::vector<Index> flipped;
-  /// As flipped, before falling back from cotangent to mean value weights.
+  /// How many were flipped with the weights that were wanted, before any fallback.
   Index flipsBefore = 0;
+  /// Greatest distance between a ring node and the cap's own boundary polygon.
   double maximumBoundaryDistance = 0.0;
   /// The record of Koebe's iteration; empty where it did not run.
   std::vector<KoebeRound> rounds;
@@ -50,6 +52,8 @@ std::vector<bool> boundaryFlags(Index n, const std::vector<Loop>& loops);
  * Harmonic map with the boundary vertices at the given places of the plane.
  *
  * @param places places[p] belongs to loops[p], a row a node.
+ * @return a row a point of the mesh.
+ * @throw SolverFailure.
  */
 PlanePoints mapToPlane(const TriangleMesh& mesh, const std::vector<Loop>& loops,
   const std::vector<PlanePoints>& places, Weights weights);
@@ -63,6 +67,8 @@ void separateCircles(std::vector<Circle>& circles);
  * they fit where a map has the nodes.
  *
  * @param lengths arc lengths along the loop, scaled to [0, 2 pi).
+ * @param disk    the map, a row a point; those of the loop's nodes are read.
+ * @return radians, one a node, falling.
  */
 std::vector<double> holeAngles(const std::vector<double>& lengths, const PlanePoints& disk,
   const Loop& loop, const Circle& hole);

@@ -33,7 +33,8 @@ struct ConformalAnnulus
  * The latter's class comes from a cut, see leftOfCut(). Its energy bounds log(1 / r) from above,
  * that of the former from below; the radius is taken from their geometric mean.
  *
- * @param loops the outer one, then the hole.
+ * @param points n x 3. @param triangles oriented.
+ * @param loops  the outer one, then the hole.
  * @throw InvalidInput when an energy is not a positive number; SolverFailure.
  */
 ConformalAnnulus conformalAnnulus(

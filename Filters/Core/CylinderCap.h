@@ -15,11 +15,13 @@ namespace hexsweep
 struct CylinderCap
 {
   AngleFunction angle;
-  Eigen::VectorXd correction; ///< conformal angle = angle + correction
+  Eigen::VectorXd correction; ///< radians; conformal angle = angle + correction
   double logRadius = 0.0;     ///< conformal modulus: log(outer radius / hole radius)
 };
 
 /**
+ * The harmonic angle and the modulus of a cap with one hole.
+ *
  * @param laplacian symmetric: cotangent weights, or intrinsic ones.
  * @param loops     the outer one and the hole, each with the surface on its left.
  * @throw InvalidInput (see windingAngle()), SolverFailure.
@@ -27,7 +29,7 @@ struct CylinderCap
 CylinderCap measureCylinder(const SparseMatrix& laplacian, const PointsRef& points,
   const TrianglesRef& triangles, const std::vector<Loop>& loops);
 
-/// Conformal angles along a loop, unwrapped from its first node.
+/// Conformal angles (radians) along a loop, unwrapped from its first node.
 std::vector<double> loopAngles(const CylinderCap& cylinder, const Loop& loop);
 
 /**

@@ -24,7 +24,7 @@ struct DomainTriangulation
   std::vector<Index> origin;
 };
 
-/// @param triangles rows of corners in `disk`.
+/// @param disk n x 2, a map to the domain. @param triangles ids in [0, n), of any orientation.
 DomainTriangulation domainTriangulation(
   DiskDomain domain, const PlanePointsRef& disk, const TrianglesRef& triangles);
 }

@@ -11,9 +11,11 @@
 
 namespace hexsweep
 {
+/// A mesh while its edges are flipped and points are added; its surface stays the same.
 class FlatFlips
 {
 public:
+  /// @param mesh an oriented 2-manifold, see checkSurface().
   explicit FlatFlips(const TriangleMesh& mesh);
 
   const HalfEdgeTriangles& connectivity() const { return this->Connectivity; }
@@ -35,10 +37,10 @@ public:
   /// Flips flat edges of negative weight until there are none.
   void flipAll();
 
-  /// Adds a point in the middle of an inner edge, then flips where that helps.
+  /// Adds a point in the middle of an inner edge, then flips where that helps. @return its id.
   Index halve(Index half);
 
-  /// Adds a triangle's centroid, then flips where that helps.
+  /// Adds a triangle's centroid, then flips where that helps. @return its id.
   Index insertCentroid(Index triangle);
 
 private:

@@ -16,6 +16,7 @@ namespace hexsweep
  * Shortest in the number of edges: it meets each of the two loops in one vertex and has no
  * shortcut, so that cutting along it leaves a surface. Among equals the lowest ids are taken.
  *
+ * @param triangles ids in [0, numberOfPoints).
  * @return vertex ids, the first on `from`, the last on `to`.
  * @throw InvalidInput when no path of edges leads from one to the other.
  */

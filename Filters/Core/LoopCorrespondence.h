@@ -10,9 +10,11 @@
 
 namespace hexsweep
 {
+/// What correspondLoops() found.
 struct LoopCorrespondence
 {
-  /// Place of each source node on the target loop.
+  /// Place (see ClosedPolygon) of each source node on the target loop, unwrapped: rising, the last
+  /// less than 1 beyond the first.
   std::vector<double> places;
   /// Pairs of corners that lie on each other; 0 where arc length alone decides.
   Index matchedCorners = 0;
@@ -38,7 +40,7 @@ struct LoopCorrespondence
  *  - corner on corner (see loopCorners()), where both loops have as many, at each cyclic offset:
  *    taken unless it is clearly worse;
  *  - a cyclic sequence of corners on corners, some left over on either loop, by dynamic
- * programming. It has the most freedom, so it must be clearly better than one piece to be taken.
+ *    programming. It has the most freedom, so it must be clearly better than one piece to be taken.
  *
  * @param linear takes vectors of the source loop to the target; its scale does not matter.
  */

@@ -216,6 +216,17 @@ inline double bump(double x, double y)
   return 3.0 * x * (1.0 - x) * y * (1.0 - y) * (1.0 + 0.5 * x);
 }
 
+/// A plate of 12 x 12 cells with the first of threeHoles(), lifted by a multiple of bump().
+inline TriangleMesh curvedPlate(
+  std::size_t holes, double shake, double height = 1.0, unsigned seed = 1)
+{
+  std::vector<Block> blocks = threeHoles();
+  blocks.resize(holes);
+  TriangleMesh mesh = plate(12, blocks, shake, seed);
+  mesh.points = lifted(mesh.points, [height](double x, double y) { return height * bump(x, y); });
+  return mesh;
+}
+
 /// x -> offset + scale * turn x.
 struct Similarity
 {
@@ -298,6 +309,20 @@ inline std::vector<Loop> loopsOf(const TriangleMesh& mesh)
     return loopLength(mesh.points, a) > loopLength(mesh.points, b);
   });
   return loops;
+}
+
+/// Which nodes lie on the boundary.
+inline std::vector<bool> boundaryFlags(const TriangleMesh& mesh)
+{
+  std::vector<bool> flags(static_cast<std::size_t>(mesh.points.rows()), false);
+  for (const Loop& loop : loopsOf(mesh))
+  {
+    for (const Index v : loop)
+    {
+      flags[static_cast<std::size_t>(v)] = true;
+    }
+  }
+  return flags;
 }
 
 /// Straight linking sides of a few layers between two caps that share loops; an own numbering.

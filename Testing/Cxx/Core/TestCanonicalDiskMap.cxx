@@ -15,16 +15,6 @@ using hexsweep::Points;
 using hexsweep::TriangleMesh;
 using hexsweep::Weights;
 
-TriangleMesh curvedPlate(std::size_t holes, double height = 1.0)
-{
-  const std::vector<test::Block> blocks = test::threeHoles();
-  TriangleMesh mesh = test::plate(
-    12, std::vector<test::Block>(blocks.begin(), blocks.begin() + static_cast<long>(holes)), 0.25);
-  mesh.points =
-    test::lifted(mesh.points, [height](double x, double y) { return height * test::bump(x, y); });
-  return mesh;
-}
-
 /// The rim by arc length, from angle 0 at the smallest id.
 void expectRim(const CapDisk& cap)
 {
@@ -63,7 +53,7 @@ TEST(CanonicalDiskMap, APlaneDiskIsItsOwnMap)
 
 TEST(CanonicalDiskMap, TreatmentsAgreeWithOneLoop)
 {
-  const TriangleMesh mesh = curvedPlate(0);
+  const TriangleMesh mesh = test::curvedPlate(0, 0.25);
   const CapDisk a = hexsweep::canonicalDiskMap(mesh, HoleTreatment::ArcLength, Weights::Cotangent);
   const CapDisk b = hexsweep::canonicalDiskMap(mesh, HoleTreatment::Filled, Weights::Cotangent);
   EXPECT_EQ(a.disk, b.disk);
@@ -77,7 +67,7 @@ TEST(CanonicalDiskMap, HolesAreCirclesByArcLength)
   {
     for (const Weights weights : { Weights::Cotangent, Weights::MeanValue })
     {
-      const TriangleMesh mesh = curvedPlate(holes, 0.5);
+      const TriangleMesh mesh = test::curvedPlate(holes, 0.25, 0.5);
       const CapDisk cap = hexsweep::canonicalDiskMap(mesh, HoleTreatment::ArcLength, weights);
       EXPECT_EQ(cap.domain, DiskDomain::Circles);
       ASSERT_EQ(cap.holes.size(), holes);
@@ -174,7 +164,7 @@ TEST(CanonicalDiskMap, SizePlaceAndTurnDoNotMatter)
 {
   for (const HoleTreatment treatment : { HoleTreatment::ArcLength, HoleTreatment::Filled })
   {
-    const TriangleMesh mesh = curvedPlate(3);
+    const TriangleMesh mesh = test::curvedPlate(3, 0.25);
     const CapDisk plain = hexsweep::canonicalDiskMap(mesh, treatment, Weights::Cotangent);
     for (const test::Placement& placement : test::placements())
     {

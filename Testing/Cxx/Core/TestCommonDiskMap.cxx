@@ -26,17 +26,6 @@ CommonDisks map(const TriangleMesh& first, const TriangleMesh& second,
   return hexsweep::commonDiskMap(first, second, pairs, weights, 1e-6);
 }
 
-TriangleMesh curvedPlate(std::size_t holes, unsigned seed, double height)
-{
-  const std::vector<test::Block> blocks = test::threeHoles();
-  TriangleMesh mesh = test::plate(12,
-    std::vector<test::Block>(blocks.begin(), blocks.begin() + static_cast<long>(holes)), 0.25,
-    seed);
-  mesh.points =
-    test::lifted(mesh.points, [height](double x, double y) { return height * test::bump(x, y); });
-  return mesh;
-}
-
 /// The two caps share their loops' nodes in the disk, and the loops are all of the boundary.
 void expectSharedBoundary(const CommonDisks& disks, double tolerance)
 {
@@ -131,8 +120,8 @@ TurnedAnnuli turnedAnnuli(Index around, Index steps, double inner, double growth
 
 TEST(CommonDiskMap, OneLoopGoesToTheDisk)
 {
-  const TriangleMesh first = curvedPlate(0, 1, 1.0);
-  const TriangleMesh second = curvedPlate(0, 2, -0.5);
+  const TriangleMesh first = test::curvedPlate(0, 0.25, 1.0, 1);
+  const TriangleMesh second = test::curvedPlate(0, 0.25, -0.5, 2);
   const auto loops = test::loopsOf(first);
   for (const Weights weights : { Weights::Cotangent, Weights::MeanValue })
   {
@@ -149,8 +138,8 @@ TEST(CommonDiskMap, OneLoopGoesToTheDisk)
 
 TEST(CommonDiskMap, TwoLoopsGoToAnAnnulus)
 {
-  const TriangleMesh first = curvedPlate(1, 1, 1.0);
-  const TriangleMesh second = curvedPlate(1, 2, -0.5);
+  const TriangleMesh first = test::curvedPlate(1, 0.25, 1.0, 1);
+  const TriangleMesh second = test::curvedPlate(1, 0.25, -0.5, 2);
   const auto loops = test::loopsOf(first);
   for (const Weights weights : { Weights::Cotangent, Weights::MeanValue })
   {
@@ -166,8 +155,8 @@ TEST(CommonDiskMap, TwoLoopsGoToAnAnnulus)
 
 TEST(CommonDiskMap, MoreLoopsGoToCircles)
 {
-  const TriangleMesh first = curvedPlate(3, 1, 0.4);
-  const TriangleMesh second = curvedPlate(3, 2, -0.2);
+  const TriangleMesh first = test::curvedPlate(3, 0.25, 0.4, 1);
+  const TriangleMesh second = test::curvedPlate(3, 0.25, -0.2, 2);
   const auto loops = test::loopsOf(first);
   for (const Weights weights : { Weights::Cotangent, Weights::MeanValue })
   {
@@ -286,7 +275,7 @@ TEST(CommonDiskMap, ASimilarCapHasTheSameMap)
 {
   for (const std::size_t holes : { 0u, 1u, 3u })
   {
-    const TriangleMesh first = curvedPlate(holes, 1, 1.0);
+    const TriangleMesh first = test::curvedPlate(holes, 0.25, 1.0, 1);
     const test::Similarity motion{ 2.5, test::someTurn(), { 3, 4, 5 } };
     const TriangleMesh second{ motion(first.points), first.triangles };
     const auto loops = test::loopsOf(first);
@@ -300,8 +289,8 @@ TEST(CommonDiskMap, SwappedCapsHaveTheSameMaps)
 {
   for (const std::size_t holes : { 0u, 1u, 3u })
   {
-    const TriangleMesh first = curvedPlate(holes, 1, 1.0);
-    TriangleMesh second = curvedPlate(holes, 2, -0.5);
+    const TriangleMesh first = test::curvedPlate(holes, 0.25, 1.0, 1);
+    TriangleMesh second = test::curvedPlate(holes, 0.25, -0.5, 2);
     second.points.col(2).array() += 3.0;
     const hexsweep::QuadMesh linking =
       test::linkingSides(first.points, second.points, test::loopsOf(first));
@@ -321,8 +310,8 @@ TEST(CommonDiskMap, SizePlaceAndTurnDoNotMatter)
 {
   for (const std::size_t holes : { 0u, 1u, 3u })
   {
-    const TriangleMesh first = curvedPlate(holes, 1, 1.0);
-    TriangleMesh second = curvedPlate(holes, 2, -0.5);
+    const TriangleMesh first = test::curvedPlate(holes, 0.25, 1.0, 1);
+    TriangleMesh second = test::curvedPlate(holes, 0.25, -0.5, 2);
     second.points.col(2).array() += 3.0;
     const auto loops = test::loopsOf(first);
     const CommonDisks plain = map(first, second, test::pairsOf(first.points, second.points, loops));
@@ -361,7 +350,7 @@ TEST(CommonDiskMap, FacetsWithoutInnerNodes)
 
 TEST(CommonDiskMap, CanBeAborted)
 {
-  const TriangleMesh first = curvedPlate(1, 1, 1.0);
+  const TriangleMesh first = test::curvedPlate(1, 0.25, 1.0, 1);
   const auto pairs = test::pairsOf(first.points, first.points, test::loopsOf(first));
   int calls = 0;
   EXPECT_THROW(hexsweep::commonDiskMap(first, first, pairs, Weights::Cotangent, 1e-6,

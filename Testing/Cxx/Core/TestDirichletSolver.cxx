@@ -16,26 +16,6 @@ using hexsweep::SparseMatrix;
 using hexsweep::TriangleMesh;
 using hexsweep::Weights;
 
-TriangleMesh curvedPlate()
-{
-  TriangleMesh mesh = test::plate(12, test::threeHoles(), 0.3);
-  mesh.points = test::lifted(mesh.points, test::bump);
-  return mesh;
-}
-
-std::vector<bool> boundaryOf(const TriangleMesh& mesh)
-{
-  std::vector<bool> fixed(static_cast<std::size_t>(mesh.points.rows()), false);
-  for (const auto& loop : test::loopsOf(mesh))
-  {
-    for (const Index v : loop)
-    {
-      fixed[static_cast<std::size_t>(v)] = true;
-    }
-  }
-  return fixed;
-}
-
 Eigen::MatrixXd randomMatrix(Index rows, Index columns, unsigned seed)
 {
   std::mt19937 generator(seed);
@@ -67,7 +47,7 @@ double logarithmError(Index rings, Weights weights)
   const double inner = 0.3;
   std::mt19937 generator(4);
   const TriangleMesh mesh = test::annulus(inner, 1.0, rings, 4 * rings, &generator);
-  const std::vector<bool> fixed = boundaryOf(mesh);
+  const std::vector<bool> fixed = test::boundaryFlags(mesh);
   Eigen::VectorXd exact(mesh.points.rows());
   for (Index i = 0; i < exact.size(); ++i)
   {
@@ -86,8 +66,8 @@ double logarithmError(Index rings, Weights weights)
 
 TEST(DirichletSolver, EqualsADenseSolve)
 {
-  const TriangleMesh mesh = curvedPlate();
-  const std::vector<bool> fixed = boundaryOf(mesh);
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
+  const std::vector<bool> fixed = test::boundaryFlags(mesh);
   const Index n = mesh.points.rows();
   const Eigen::MatrixXd values = randomMatrix(n, 3, 1);
   const Eigen::MatrixXd source = randomMatrix(n, 3, 2);
@@ -105,8 +85,8 @@ TEST(DirichletSolver, EqualsADenseSolve)
 
 TEST(DirichletSolver, FixedValuesPassBitForBitAndFreeOnesAreNotRead)
 {
-  const TriangleMesh mesh = curvedPlate();
-  const std::vector<bool> fixed = boundaryOf(mesh);
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
+  const std::vector<bool> fixed = test::boundaryFlags(mesh);
   Eigen::MatrixXd values = randomMatrix(mesh.points.rows(), 2, 1);
   const DirichletSolver solver(hexsweep::cotangentLaplacian(mesh.points, mesh.triangles), fixed);
   const Eigen::MatrixXd first = solver.solve(values);
@@ -128,8 +108,8 @@ TEST(DirichletSolver, FixedValuesPassBitForBitAndFreeOnesAreNotRead)
 TEST(DirichletSolver, ObeysTheMaximumPrinciple)
 {
   // Mean value weights are positive: every free value lies between those of its neighbours.
-  const TriangleMesh mesh = curvedPlate();
-  const std::vector<bool> fixed = boundaryOf(mesh);
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
+  const std::vector<bool> fixed = test::boundaryFlags(mesh);
   const Eigen::MatrixXd values = randomMatrix(mesh.points.rows(), 1, 3);
   const Eigen::VectorXd solved =
     DirichletSolver(hexsweep::meanValueLaplacian(mesh.points, mesh.triangles), fixed).solve(values);
@@ -163,7 +143,7 @@ TEST(DirichletSolver, ConvergesToTheLogarithmOnAnAnnulus)
 TEST(DirichletSolver, UnusedVerticesAndAllFixed)
 {
   TriangleMesh mesh = test::plate(4, {});
-  std::vector<bool> fixed = boundaryOf(mesh);
+  std::vector<bool> fixed = test::boundaryFlags(mesh);
   mesh.points.conservativeResize(mesh.points.rows() + 1, 3);
   mesh.points.bottomRows<1>() << 5, 5, 5;
   fixed.push_back(false);
@@ -177,8 +157,8 @@ TEST(DirichletSolver, UnusedVerticesAndAllFixed)
 
 TEST(DirichletSolver, AFactorCanBeMoved)
 {
-  const TriangleMesh mesh = curvedPlate();
-  const std::vector<bool> fixed = boundaryOf(mesh);
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
+  const std::vector<bool> fixed = test::boundaryFlags(mesh);
   const Eigen::MatrixXd values = randomMatrix(mesh.points.rows(), 1, 1);
   const SparseMatrix laplacian = hexsweep::cotangentLaplacian(mesh.points, mesh.triangles);
   DirichletSolver first(laplacian, fixed);
@@ -189,8 +169,8 @@ TEST(DirichletSolver, AFactorCanBeMoved)
 
 TEST(DirichletSolver, NoFiniteSolutionIsAnError)
 {
-  const TriangleMesh mesh = curvedPlate();
-  const std::vector<bool> fixed = boundaryOf(mesh);
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
+  const std::vector<bool> fixed = test::boundaryFlags(mesh);
   const SparseMatrix laplacian = hexsweep::cotangentLaplacian(mesh.points, mesh.triangles);
   const Eigen::MatrixXd values =
     Eigen::MatrixXd::Constant(mesh.points.rows(), 1, std::numeric_limits<double>::quiet_NaN());

@@ -16,13 +16,6 @@ using hexsweep::TriangleMesh;
 using hexsweep::Weights;
 
 /// A curved cap with three holes and obtuse triangles.
-TriangleMesh curvedPlate()
-{
-  TriangleMesh mesh = test::plate(12, test::threeHoles(), 0.3);
-  mesh.points = test::lifted(mesh.points, test::bump);
-  return mesh;
-}
-
 /// The gradient of each piecewise linear function, 3 t x n: of the hat function at a corner it is
 /// the opposite edge turned by 90 degrees about the normal, over twice the area.
 Eigen::MatrixXd gradientOperator(const TriangleMesh& mesh)
@@ -63,19 +56,6 @@ Eigen::VectorXd areas(const TriangleMesh& mesh)
   return result;
 }
 
-std::vector<bool> boundaryOf(const TriangleMesh& mesh)
-{
-  std::vector<bool> fixed(static_cast<std::size_t>(mesh.points.rows()), false);
-  for (const auto& loop : test::loopsOf(mesh))
-  {
-    for (const Index v : loop)
-    {
-      fixed[static_cast<std::size_t>(v)] = true;
-    }
-  }
-  return fixed;
-}
-
 double greatestRowSum(const SparseMatrix& matrix)
 {
   return (matrix * Eigen::VectorXd::Ones(matrix.cols())).cwiseAbs().maxCoeff();
@@ -84,7 +64,7 @@ double greatestRowSum(const SparseMatrix& matrix)
 
 TEST(SurfaceLaplacian, CotangentLaplacianIsDivGrad)
 {
-  const TriangleMesh mesh = curvedPlate();
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   const Eigen::MatrixXd gradient = gradientOperator(mesh);
   // Equation (1) sums two cotangents without the factor 1/2 of the Dirichlet integral.
   const Eigen::MatrixXd divGrad = 2.0 * gradient.transpose() * areas(mesh).asDiagonal() * gradient;
@@ -96,7 +76,7 @@ TEST(SurfaceLaplacian, CotangentLaplacianIsDivGrad)
 
 TEST(SurfaceLaplacian, RowsSumToZero)
 {
-  const TriangleMesh mesh = curvedPlate();
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   for (const Weights weights : { Weights::Cotangent, Weights::MeanValue })
   {
     const SparseMatrix laplacian = hexsweep::surfaceLaplacian(mesh.points, mesh.triangles, weights);
@@ -107,7 +87,7 @@ TEST(SurfaceLaplacian, RowsSumToZero)
 
 TEST(SurfaceLaplacian, MeanValueWeightsArePositiveWhereCotangentsAreNot)
 {
-  const TriangleMesh mesh = curvedPlate();
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   const SparseMatrix laplacian = hexsweep::meanValueLaplacian(mesh.points, mesh.triangles);
   for (Index j = 0; j < laplacian.outerSize(); ++j)
   {
@@ -121,7 +101,7 @@ TEST(SurfaceLaplacian, MeanValueWeightsArePositiveWhereCotangentsAreNot)
 TEST(SurfaceLaplacian, MeanValueWeightsAreFloaters)
 {
   // Angles here by the law of cosines, tangents by the library.
-  const TriangleMesh mesh = curvedPlate();
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(mesh.points.rows(), mesh.points.rows());
   for (Index t = 0; t < mesh.triangles.rows(); ++t)
   {
@@ -149,7 +129,7 @@ TEST(SurfaceLaplacian, LinearFunctionsAreReproducedOnPlanarMeshes)
   const Eigen::VectorXd linear = mesh.points * Eigen::Vector3d(2.0, -3.0, 0.0);
   // Any plane of space will do.
   mesh.points = test::Similarity{ 1.0, test::someTurn(), { 1, 2, 3 } }(mesh.points);
-  const std::vector<bool> boundary = boundaryOf(mesh);
+  const std::vector<bool> boundary = test::boundaryFlags(mesh);
   for (const Weights weights : { Weights::Cotangent, Weights::MeanValue })
   {
     const SparseMatrix laplacian = hexsweep::surfaceLaplacian(mesh.points, mesh.triangles, weights);
@@ -178,9 +158,9 @@ TEST(SurfaceLaplacian, EnergyOfALinearFunctionIsTwiceItsDirichletIntegral)
 
 TEST(SurfaceLaplacian, EnergyIsLeastForTheHarmonicFunction)
 {
-  const TriangleMesh mesh = curvedPlate();
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   const SparseMatrix laplacian = hexsweep::cotangentLaplacian(mesh.points, mesh.triangles);
-  const std::vector<bool> boundary = boundaryOf(mesh);
+  const std::vector<bool> boundary = test::boundaryFlags(mesh);
   const auto energy = [&](const Eigen::VectorXd& f) {
     // Equation (2), a sum over edges with their weights.
     double sum = 0.0;
@@ -224,7 +204,7 @@ TEST(SurfaceLaplacian, EnergyIsLeastForTheHarmonicFunction)
 
 TEST(SurfaceLaplacian, SizePlaceAndTurnDoNotMatter)
 {
-  const TriangleMesh mesh = curvedPlate();
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   for (const Weights weights : { Weights::Cotangent, Weights::MeanValue })
   {
     const Eigen::MatrixXd plain(hexsweep::surfaceLaplacian(mesh.points, mesh.triangles, weights));

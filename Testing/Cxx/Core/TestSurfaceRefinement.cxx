@@ -14,13 +14,6 @@ using hexsweep::RefinedSurface;
 using hexsweep::TriangleMesh;
 using Vector = Eigen::RowVector3d;
 
-TriangleMesh curvedPlate()
-{
-  TriangleMesh mesh = test::plate(12, test::threeHoles(), 0.3);
-  mesh.points = test::lifted(mesh.points, test::bump);
-  return mesh;
-}
-
 /// A regular polygon cut into a fan of triangles from its first corner: nothing but chords.
 TriangleMesh facet(Index corners)
 {
@@ -118,7 +111,7 @@ void expectSameShape(const TriangleMesh& mesh, const RefinedSurface& refined)
 
 TEST(SurfaceRefinement, NothingToDoChangesNothing)
 {
-  const TriangleMesh mesh = curvedPlate();
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   const RefinedSurface refined = hexsweep::refineSurface(mesh, {}, false);
   EXPECT_EQ(refined.mesh.points, mesh.points);
   EXPECT_EQ(refined.mesh.triangles.rows(), mesh.triangles.rows());
@@ -128,7 +121,7 @@ TEST(SurfaceRefinement, NothingToDoChangesNothing)
 
 TEST(SurfaceRefinement, PointsAreInsertedWhereTheFractionsSay)
 {
-  const TriangleMesh mesh = curvedPlate();
+  const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   std::vector<EdgeSubdivision> subdivisions;
   // Boundary edges of all loops, in both directions, and some inner edges.
   for (const Loop& loop : test::loopsOf(mesh))
@@ -180,7 +173,7 @@ TEST(SurfaceRefinement, PointsAreInsertedWhereTheFractionsSay)
 
 TEST(SurfaceRefinement, NoChordIsLeft)
 {
-  const TriangleMesh curved = curvedPlate();
+  const TriangleMesh curved = test::curvedPlate(3, 0.3);
   for (const TriangleMesh& mesh : { facet(4), facet(5), facet(60), curved, test::plate(1, {}),
          test::plate(3, { { 1, 1, 1, 1 } }) })
   {

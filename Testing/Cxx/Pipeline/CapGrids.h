@@ -23,6 +23,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStaticCellLocator.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -312,6 +313,38 @@ inline std::map<vtkIdType, vtkIdType> boundaryOf(vtkDataSet* data)
     }
   }
   return next;
+}
+
+/**
+ * Boundary nodes of projected quads must be the ends of their linking columns bit for bit, the
+ * others lie on the target surface.
+ *
+ * @param ends by the place of a column's beginning.
+ */
+inline void expectOnTarget(vtkDataSet* projected, const SweepGrids& sweep,
+  const std::map<std::array<double, 3>, std::array<double, 3>>& ends)
+{
+  ASSERT_EQ(projected->GetNumberOfPoints(), sweep.sourceQuads->GetNumberOfPoints());
+  const auto boundary = boundaryOf(sweep.sourceQuads);
+  ASSERT_EQ(boundary.size(), ends.size());
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(sweep.targetSurface);
+  locator->BuildLocator();
+  for (vtkIdType i = 0; i < projected->GetNumberOfPoints(); ++i)
+  {
+    const auto p = pointOf(projected, i);
+    if (boundary.count(i))
+    {
+      ASSERT_EQ(p, ends.at(pointOf(sweep.sourceQuads, i))) << "point " << i;
+      continue;
+    }
+    double closest[3];
+    vtkIdType cell = -1;
+    int subId = 0;
+    double distance2 = 0.0;
+    locator->FindClosestPoint(p.data(), closest, cell, subId, distance2);
+    ASSERT_LT(std::sqrt(distance2), 1e-12 * sizeOf(sweep.targetSurface)) << "point " << i;
+  }
 }
 
 /// A curved plate of 12 x 12 squares with up to three holes, swept to one whose holes have moved.

@@ -5,8 +5,6 @@
 
 #include <vtkSweepQuadProjector.h>
 
-#include <vtkStaticCellLocator.h>
-
 #include <complex>
 
 namespace
@@ -294,26 +292,7 @@ TEST_P(CurvedCaps, EveryQuadLandsUprightOnTheSurface)
     {
       ends[test::pointOf(sweep.linkingSides, i)] = test::pointOf(sweep.linkingSides, i + 2);
     }
-    const auto boundary = test::boundaryOf(sweep.sourceQuads);
-    ASSERT_EQ(boundary.size(), ends.size());
-    vtkNew<vtkStaticCellLocator> locator;
-    locator->SetDataSet(sweep.targetSurface);
-    locator->BuildLocator();
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      const Place p = test::pointOf(output, i);
-      if (boundary.count(i))
-      {
-        ASSERT_EQ(p, ends.at(test::pointOf(sweep.sourceQuads, i)));
-        continue;
-      }
-      double closest[3];
-      vtkIdType cell = -1;
-      int subId = 0;
-      double distance2 = 0.0;
-      locator->FindClosestPoint(p.data(), closest, cell, subId, distance2);
-      ASSERT_LT(std::sqrt(distance2), 1e-12 * test::sizeOf(sweep.targetSurface)) << "point " << i;
-    }
+    test::expectOnTarget(output, sweep, ends);
   }
 }
 

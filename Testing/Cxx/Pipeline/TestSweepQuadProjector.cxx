@@ -7,7 +7,6 @@
 
 #include <vtkMeshQuality.h>
 #include <vtkSphereSource.h>
-#include <vtkStaticCellLocator.h>
 
 #include <cstdio>
 #include <limits>
@@ -221,29 +220,8 @@ TEST(SweepQuadProjector, BoundaryNodesLieOnTheLastRingAndInteriorOnesOnTheTarget
     const SweepGrids sweep = test::readCase(name);
     Projection projection(sweep);
     vtkUnstructuredGrid* output = projection.run();
-    ASSERT_EQ(output->GetNumberOfPoints(), sweep.sourceQuads->GetNumberOfPoints());
-    const auto ends = columnEnds(sweep);
-    const auto boundary = test::boundaryOf(sweep.sourceQuads);
-    ASSERT_EQ(ends.size(), boundary.size());
-    vtkNew<vtkStaticCellLocator> locator;
-    locator->SetDataSet(sweep.targetSurface);
-    locator->BuildLocator();
-    const double size = test::sizeOf(sweep.targetSurface);
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      const auto p = test::pointOf(output, i);
-      if (boundary.count(i))
-      {
-        EXPECT_EQ(p, ends.at(test::pointOf(sweep.sourceQuads, i)));
-        continue;
-      }
-      double closest[3];
-      vtkIdType cell = -1;
-      int subId = 0;
-      double distance2 = 0.0;
-      locator->FindClosestPoint(p.data(), closest, cell, subId, distance2);
-      EXPECT_LT(std::sqrt(distance2), 1e-12 * size) << name << ", point " << i;
-    }
+    SCOPED_TRACE(name);
+    test::expectOnTarget(output, sweep, columnEnds(sweep));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "DiskDomain.h"
 #include "Errors.h"
 #include "GluedSphere.h"
+#include "LoopGeometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// Changes of the angles within a round.
 constexpr int ChangesPerRound = 2;
 
@@ -33,20 +32,6 @@ constexpr double OvershootSmoothing = 0.1;
 
 using Complex = std::complex<double>;
 using Angles = std::vector<double>;
-
-/// The loop runs once round in this sense, strictly.
-bool isMonotone(const Angles& angles, double direction)
-{
-  for (std::size_t i = 0; i < angles.size(); ++i)
-  {
-    const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + direction * 2.0 * Pi;
-    if (!((next - angles[i]) * direction > 0.0))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
 /// Length of the loop's edges that belongs to each node: half of the two at it.
 std::vector<double> nodeLengths(const PointsRef& points, const Loop& loop)
@@ -204,7 +189,7 @@ public:
   }
 
   /// Whether the nodes of a loop come one after the other on its circle.
-  bool isInOrder(std::size_t p) const { return isMonotone(this->Images[p].angles, direction(p)); }
+  bool isInOrder(std::size_t p) const { return turnsOnce(this->Images[p].angles, direction(p)); }
 
   double circularity(std::size_t p) const { return this->Images[p].circularity; }
 
@@ -237,7 +222,7 @@ private:
             ((1.0 - 2.0 * OvershootSmoothing) * error(i) +
               OvershootSmoothing * (error(i + 1) + error(i + m - 1)));
       }
-      if (isMonotone(next, direction(p)))
+      if (turnsOnce(next, direction(p)))
       {
         return next;
       }
@@ -250,7 +235,7 @@ private:
       {
         next[i] = now[i] + share * error(i);
       }
-      if (isMonotone(next, direction(p)))
+      if (turnsOnce(next, direction(p)))
       {
         return next;
       }
@@ -281,7 +266,7 @@ private:
     {
       const Index m = static_cast<Index>(proposals[p].size());
       const Angles next(mixed.data() + first, mixed.data() + first + m);
-      const Angles& taken = isMonotone(next, direction(p)) ? next : proposals[p];
+      const Angles& taken = turnsOnce(next, direction(p)) ? next : proposals[p];
       this->Gluing[p] = balanced(taken, this->Weights[p], taken);
       first += m;
     }

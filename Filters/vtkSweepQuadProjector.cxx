@@ -21,6 +21,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkSweepQuadProjector);
 
@@ -28,7 +29,7 @@ namespace
 {
 using namespace hexsweep;
 
-constexpr Index QuadsToName = 10;
+constexpr std::size_t QuadsToName = 10;
 
 /// The source quads' cells and data on new points, with their quality.
 void writeQuads(const SweepProjection& projection, const SurfaceInput& quads, vtkDataSet* source,
@@ -66,6 +67,9 @@ void writeReport(const SweepProjection& projection, const char* method, vtkField
   addReport(field, "SweepReportRounds", static_cast<Index>(projection.rounds));
   addReport(field, "SweepReportMinScaledJacobian", projection.quality.minimum);
   addReport(field, "SweepReportMeanScaledJacobian", projection.quality.mean);
+  addReport(field, "SweepReportFloorScaledJacobian", projection.fixedCorners.floor);
+  addReport(field, "SweepReportFixedInvertedQuads",
+    static_cast<Index>(projection.fixedCorners.inverted.size()));
   addReport(field, "SweepReportMaximumSourceDistance", projection.quads.maximumSourceDistance);
   addReport(field, "SweepReportOutside", projection.quads.outside);
   if (projection.source)
@@ -106,6 +110,18 @@ std::string describeNitsche(const SweepProjection& projection)
     "bound.";
 }
 
+/// The first few of some cells with places: " cell 3 at (0, 1, 0), cell 7 at ..."
+std::string listCells(const std::vector<std::pair<Index, Eigen::RowVector3d>>& cells)
+{
+  std::string text;
+  for (std::size_t i = 0; i < cells.size() && i < QuadsToName; ++i)
+  {
+    text += (i > 0 ? ", cell " : " cell ") + std::to_string(cells[i].first) + " at " +
+      describe(cells[i].second);
+  }
+  return text + (cells.size() > QuadsToName ? ", ..." : "");
+}
+
 /// What to tell the user about inverted quads; empty if there are none.
 std::string describeInverted(const SweepProjection& projection, const QuadsRef& quads)
 {
@@ -113,22 +129,46 @@ std::string describeInverted(const SweepProjection& projection, const QuadsRef& 
   {
     return {};
   }
-  std::string text = std::to_string(projection.quality.inverted) + " of " +
-    std::to_string(quads.rows()) + " quads are inverted on the target cap:";
-  Index named = 0;
-  for (Index q = 0; q < quads.rows() && named < QuadsToName; ++q)
+  std::vector<std::pair<Index, Eigen::RowVector3d>> atCorners;
+  std::vector<bool> isAtCorner(static_cast<std::size_t>(quads.rows()), false);
+  for (const FixedCorner& corner : projection.fixedCorners.inverted)
   {
-    if (!(projection.quality.scaledJacobian[q] > 0.0))
+    isAtCorner[static_cast<std::size_t>(corner.quad)] = true;
+    atCorners.emplace_back(
+      corner.quad, projection.quads.points.row(quads(corner.quad, corner.corner)));
+  }
+  std::vector<std::pair<Index, Eigen::RowVector3d>> others;
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    if (!isAtCorner[static_cast<std::size_t>(q)] && !(projection.quality.scaledJacobian[q] > 0.0))
     {
       Eigen::RowVector3d center = Eigen::RowVector3d::Zero();
       for (Index c = 0; c < 4; ++c)
       {
         center += 0.25 * projection.quads.points.row(quads(q, c));
       }
-      text += (named++ > 0 ? ", cell " : " cell ") + std::to_string(q) + " at " + describe(center);
+      others.emplace_back(q, center);
     }
   }
-  return text + ". Hexes on them will be inverted too: refine the source quads there.";
+  std::string text = std::to_string(projection.quality.inverted) + " of " +
+    std::to_string(quads.rows()) +
+    " quads are inverted on the target cap; hexes on them will be inverted too.";
+  if (!atCorners.empty())
+  {
+    text += " " + std::to_string(atCorners.size()) +
+      " of them have their corner between two fixed boundary edges that meet at 180 degrees or "
+      "more, which no place of the inner nodes cures:" +
+      listCells(atCorners) +
+      ". Move the boundary nodes (the ends of the linking sides) there, so that a corner of the "
+      "quads meets a corner of the target cap, or change the source quads so that two or more "
+      "meet at that node.";
+  }
+  if (!others.empty())
+  {
+    text += (atCorners.empty() ? " These are:" : " The others:") + listCells(others) +
+      ". Refine the source quads there.";
+  }
+  return text;
 }
 }
 

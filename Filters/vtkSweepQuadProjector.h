@@ -32,6 +32,12 @@
  *   the target surface. Field data: `SweepReportMethod`, `SweepReportInvertedQuads` and
  *   `SweepReportInvertedBefore` (as projected, before EnsureValid), `SweepReportRounds` (descents),
  *   `SweepReportMinScaledJacobian`, `SweepReportMeanScaledJacobian`,
+ *   `SweepReportFloorScaledJacobian`: the least scaled Jacobian of the corners whose own node and
+ *   both neighbours are boundary nodes, in [-1, 1], 1 where there is no such corner. The boundary
+ *   alone decides it, and no placement of the inner nodes has a higher minimum: a result at it is
+ *   as good as the worst quad can be. `SweepReportFixedInvertedQuads`: quads with such a corner
+ *   <= 0 (180 degrees or more between two boundary edges), which EnsureValid cannot cure; they are
+ *   part of `SweepReportInvertedQuads`, and a warning names them.
  *   `SweepReportMaximumSourceDistance` (of interior nodes from the source surface),
  *   `SweepReportMaximumBoundaryDistance` (of the last ring from the boundary of the target surface;
  *   more than facets of a curve explain raises a warning, more than a quarter of an edge is an
@@ -98,7 +104,9 @@ public:
 
   ///@{
   /// Move inner nodes over the target surface until no quad is inverted (foldover-free
-  /// optimisation). The result is never worse than the projection. On by default.
+  /// optimisation), but for corners between two boundary edges, which inner nodes do not reach (see
+  /// `SweepReportFixedInvertedQuads`). The result is never worse than the projection. On by
+  /// default.
   vtkSetMacro(EnsureValid, bool);
   vtkGetMacro(EnsureValid, bool);
   vtkBooleanMacro(EnsureValid, bool);
@@ -106,7 +114,8 @@ public:
 
   ///@{
   /// Improve the quads afterwards, the worst first, then the mean; never lowers the least scaled
-  /// Jacobian. On by default. Meshes with inverted quads are left as they are.
+  /// Jacobian of the corners that inner nodes reach. On by default. Meshes with inverted quads are
+  /// left as they are, unless these are inverted by their boundary nodes alone.
   vtkSetMacro(ImproveQuality, bool);
   vtkGetMacro(ImproveQuality, bool);
   vtkBooleanMacro(ImproveQuality, bool);

@@ -94,7 +94,7 @@ CornerQuality CapCorners::measure(const PointsRef& points) const
       cornerScaledJacobian(points.row(corner.node[1]) - points.row(corner.node[0]),
         points.row(corner.node[2]) - points.row(corner.node[0]),
         this->normal(corner, places.normals));
-    quality.inverted += jacobian > 0.0 ? 0 : 1;
+    (corner.movable ? quality.inverted : quality.fixedInverted) += jacobian > 0.0 ? 0 : 1;
     const double value = std::isnan(jacobian) ? -1.0 : jacobian;
     if (corner.movable)
     {

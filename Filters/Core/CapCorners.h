@@ -31,12 +31,14 @@ struct QuadCorner
 double cornerScaledJacobian(
   const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& normal);
 
-/// How good a mesh is: fewer inverted corners first, then the higher minimum.
+/// How good a mesh is: fewer inverted corners first, then the higher minimum. Corners whose three
+/// nodes are fixed are what they are; they do not count here.
 struct CornerQuality
 {
-  Index inverted = 0;   ///< corners <= 0 or without a value, movable or not
-  double minimum = 1.0; ///< least scaled Jacobian of the movable corners
-  double mean = 0.0;    ///< over quads, of the least corner of each
+  Index inverted = 0;      ///< movable corners <= 0 or without a value
+  Index fixedInverted = 0; ///< those that are not movable: no inner node cures them
+  double minimum = 1.0;    ///< least scaled Jacobian of the movable corners
+  double mean = 0.0;       ///< over all quads, of the least corner of each
 
   bool betterThan(const CornerQuality& other) const
   {

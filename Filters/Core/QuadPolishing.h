@@ -19,7 +19,8 @@ namespace hexsweep
  * Both with a little distortion() against the source's proportions, since a scaled Jacobian says
  * nothing about lengths.
  *
- * @param points n x 3, on the surface. A mesh with inverted corners is returned as it is.
+ * @param points n x 3, on the surface. A mesh with inverted corners that can move is returned as
+ *        it is; those between fixed edges are passed over.
  * @return never more inverted corners nor a lower minimum (of the corners that can move at all)
  *         than the start.
  * @throw Aborted.

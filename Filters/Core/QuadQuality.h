@@ -8,6 +8,8 @@
 
 #include "Mesh.h"
 
+#include <vector>
+
 namespace hexsweep
 {
 /// Quality of quads on a curved surface.
@@ -20,6 +22,24 @@ struct QuadQuality
   double mean = 0.0;
 };
 
+/// Corner of a quad between two edges that cannot move.
+struct FixedCorner
+{
+  Index quad;
+  Index corner; ///< 0 to 3
+  double scaledJacobian;
+};
+
+/// What the fixed nodes decide about the quads, wherever the other nodes are.
+struct FixedCorners
+{
+  /// Least scaled Jacobian of these corners (-1 where an edge has no length), 1 if there are none:
+  /// an upper bound of QuadQuality::minimum for any place of the other nodes.
+  double floor = 1.0;
+  /// The worst corner of each quad that has one <= 0 or without a value; ascending quads.
+  std::vector<FixedCorner> inverted;
+};
+
 /**
  * Scaled Jacobians of quads, their corners measured against the normal of the surface that they
  * lie on: (a x b) . n / (|a| |b|) with the two edges a, b at the corner.
@@ -30,6 +50,15 @@ struct QuadQuality
  * @param normals n x 3 unit normals at the quads' points.
  */
 QuadQuality quadQuality(const PointsRef& points, const QuadsRef& quads, const PointsRef& normals);
+
+/**
+ * The corners whose own node and both neighbours in the quad are fixed, measured as quadQuality()
+ * does.
+ *
+ * @param fixed n entries: nodes that stay.
+ */
+FixedCorners fixedCorners(const PointsRef& points, const QuadsRef& quads, const PointsRef& normals,
+  const std::vector<bool>& fixed);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace hexsweep
@@ -15,6 +16,10 @@ namespace hexsweep
 namespace
 {
 constexpr int MaximumRounds = 100;
+/// Rounds in a row without progress that end the search with one wanted shape.
+constexpr int StagnantRounds = 12;
+constexpr double LeastGain = 0.01;     // of the least scaled Jacobian, to count as progress
+constexpr double LeastDecrease = 0.01; // relative, of the energy within a round
 constexpr int NewtonSteps = 6;
 constexpr double Settled = 1e-3;     // relative decrease of the energy that ends a round
 constexpr double FirstEpsilon = 1.0; // of the wanted corner's area
@@ -38,6 +43,13 @@ double leastDeterminant(
   }
   return least;
 }
+
+/// Better by more than what a search that is stuck creeps on.
+bool isProgress(const CornerQuality& quality, const CornerQuality& reached)
+{
+  return quality.inverted < reached.inverted ||
+    (quality.inverted == reached.inverted && quality.minimum > reached.minimum + LeastGain);
+}
 }
 
 ImprovedQuads untangleQuads(
@@ -55,7 +67,9 @@ ImprovedQuads untangleQuads(
     const std::vector<Eigen::Matrix2d> inverse = inverseReferences(cap, shape, source, points);
     Points current = points;
     double epsilon = FirstEpsilon;
-    for (int round = 0; round < MaximumRounds; ++round)
+    CornerQuality reached = cap.measure(points);
+    int stagnant = 0;
+    for (int round = 0; round < MaximumRounds && stagnant < StagnantRounds; ++round)
     {
       reportProgress(progress, static_cast<double>(round) / MaximumRounds);
       const auto term = [&](std::size_t corner, const Eigen::Matrix2d& edges) {
@@ -74,6 +88,10 @@ ImprovedQuads untangleQuads(
       {
         return best;
       }
+      const bool progressed = isProgress(quality, reached) ||
+        step.before - step.after > LeastDecrease * std::abs(step.before);
+      stagnant = progressed ? 0 : stagnant + 1;
+      reached = isProgress(quality, reached) ? quality : reached;
       epsilon = nextEpsilon(
         epsilon, leastDeterminant(cap, inverse, current), step.before, step.after, LeastRate);
     }

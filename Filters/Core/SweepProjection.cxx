@@ -178,26 +178,27 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   const TriangleMesh& target, const Progress& progress)
 {
   const SurfaceProjection surface(target);
-  const auto judge = [&] {
-    if (input.singlePrecision)
-    {
-      result.quads.points = result.quads.points.cast<float>().cast<double>().eval();
-    }
-    return quadQuality(
-      result.quads.points, input.source.quads, surface.project(result.quads.points).normals);
-  };
-  result.quality = judge();
-  result.invertedBefore = result.quality.inverted;
-  if (!input.ensureValid && !input.improveQuality)
-  {
-    return;
-  }
   // Points that no quad uses are nobody's to move; they count as fixed.
   std::vector<bool> fixed = usedPoints(input.source);
   fixed.flip();
   for (const FixedNode& node : boundary.nodes)
   {
     fixed[static_cast<std::size_t>(node.point)] = true;
+  }
+  const auto judge = [&] {
+    if (input.singlePrecision)
+    {
+      result.quads.points = result.quads.points.cast<float>().cast<double>().eval();
+    }
+    const Points normals = surface.project(result.quads.points).normals;
+    result.quality = quadQuality(result.quads.points, input.source.quads, normals);
+    result.fixedCorners = fixedCorners(result.quads.points, input.source.quads, normals, fixed);
+  };
+  judge();
+  result.invertedBefore = result.quality.inverted;
+  if (!input.ensureValid && !input.improveQuality)
+  {
+    return;
   }
   const CapCorners corners(
     input.source.quads, fixed, target, boundary.columns, result.quads.points);
@@ -215,7 +216,7 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
     result.quads.points = std::move(polished.points);
     result.rounds += polished.rounds;
   }
-  result.quality = judge();
+  judge();
 }
 
 Loop outerLoop(const QuadMesh& mesh, const std::vector<Loop>& loops)

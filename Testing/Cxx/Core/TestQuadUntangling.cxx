@@ -75,6 +75,84 @@ Shape threeQuarterSphere()
   };
 }
 
+/// Depth of the four dents of the rim, where the square's corners land.
+constexpr double Dent = 0.1;
+
+/// Radius of a round rim that is dented where the square's corners land: smooth, and concave there.
+double dentedRadius(double angle)
+{
+  return 1.0 + Dent * std::cos(4.0 * angle);
+}
+
+/// The unit square onto the inside of that rim: squares become dented circles.
+Eigen::RowVector3d ontoDentedDisk(double x, double y)
+{
+  const double u = 2.0 * x - 1.0;
+  const double v = 2.0 * y - 1.0;
+  const double radius = std::max(std::abs(u), std::abs(v));
+  if (radius == 0.0)
+  {
+    return Eigen::RowVector3d::Zero();
+  }
+  const double quarter = std::atan(1.0);
+  const double angle = std::abs(u) >= std::abs(v)
+    ? quarter * v / u + (u > 0.0 ? 0.0 : 4.0 * quarter)
+    : 2.0 * quarter - quarter * u / v + (v > 0.0 ? 0.0 : 4.0 * quarter);
+  return radius * dentedRadius(angle) * Eigen::RowVector3d(std::cos(angle), std::sin(angle), 0.0);
+}
+
+/// A square of quads on the dented disk: one quad at each dent has more than 180 degrees there.
+CapModel dentedModel(int cells, double shake)
+{
+  CapModel result = model(cells, {}, shake, flat(), 1);
+  result.upright =
+    shaped(result.upright, [](double x, double y) { return Eigen::RowVector3d(x, y, 0.0); });
+  result.quads.points = shaped(result.quads.points, ontoDentedDisk);
+  result.surface.points =
+    shaped(result.surface.points, [](double x, double y) -> Eigen::RowVector3d {
+      return Eigen::RowVector3d(4.0 * x - 2.0, 4.0 * y - 2.0, 0.0);
+    });
+  return result;
+}
+
+/// Sine of the angle at a dent, from the rim's nodes alone.
+double sineAtDent(int cells)
+{
+  const double step = 2.0 * std::atan(1.0) / cells;
+  const double angle = std::atan(1.0);
+  const double side = dentedRadius(angle + step);
+  const double half =
+    std::atan2(side * std::sin(step), dentedRadius(angle) - side * std::cos(step));
+  return std::sin(2.0 * half);
+}
+
+/// Which quads of a plane mesh have a corner <= 0.
+std::vector<Index> invertedQuads(const Points& points, const Quads& quads)
+{
+  std::vector<Index> inverted;
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    bool upright = true;
+    for (Index c = 0; c < 4; ++c)
+    {
+      const Eigen::RowVector3d p = points.row(quads(q, c));
+      const Eigen::RowVector3d a = points.row(quads(q, (c + 1) % 4)) - p;
+      const Eigen::RowVector3d b = points.row(quads(q, (c + 3) % 4)) - p;
+      upright = upright && a.x() * b.y() - a.y() * b.x() > 0.0;
+    }
+    if (!upright)
+    {
+      inverted.push_back(q);
+    }
+  }
+  return inverted;
+}
+
+std::vector<Index> quadsAtCornersOfSquare(int cells)
+{
+  return { 0, cells - 1, cells * (cells - 1), cells * cells - 1 };
+}
+
 void expectUntangled(const CapModel& cap)
 {
   const CapCorners corners = cap.corners();
@@ -135,6 +213,54 @@ TEST(QuadUntangling, NamesWhatNoInnerNodeCanCure)
   EXPECT_LE(result.quality.inverted, before.inverted);
 }
 
+TEST(QuadUntangling, CuresAllButCornersBetweenFixedEdges)
+{
+  for (const int cells : { 8, 12, 20 })
+  {
+    const CapModel cap = dentedModel(cells, 1.2);
+    const CapCorners corners = cap.corners();
+    const CornerQuality before = corners.measure(cap.quads.points);
+    ASSERT_GT(before.inverted, 0);
+    EXPECT_EQ(before.fixedInverted, 4);
+    const ImprovedQuads result = untangleQuads(corners, cap.quads.points, cap.upright);
+    EXPECT_EQ(result.quality.inverted, 0);
+    EXPECT_EQ(result.quality.fixedInverted, 4);
+    EXPECT_LT(result.rounds, 40);
+    EXPECT_EQ(invertedQuads(result.points, cap.quads.quads), quadsAtCornersOfSquare(cells));
+  }
+}
+
+TEST(QuadUntangling, HasNothingToDoWhereOnlyFixedCornersAreInverted)
+{
+  CapModel cap = dentedModel(8, 1.2);
+  cap.quads.points = untangleQuads(cap.corners(), cap.quads.points, cap.upright).points;
+  ASSERT_EQ(invertedQuads(cap.quads.points, cap.quads.quads).size(), 4u);
+  const ImprovedQuads again = untangleQuads(cap.corners(), cap.quads.points, cap.upright);
+  EXPECT_EQ(again.rounds, 0);
+  EXPECT_EQ(again.points, cap.quads.points);
+}
+
+TEST(QuadUntangling, FixedCornersSetTheFloor)
+{
+  const int cells = 12;
+  const CapModel cap = dentedModel(cells, 1.2);
+  const SurfaceProjection surface(cap.surface);
+  const Points normals = surface.project(cap.quads.points).normals;
+  const FixedCorners fixed = fixedCorners(cap.quads.points, cap.quads.quads, normals, cap.fixed);
+  EXPECT_LT(fixed.floor, -0.05);
+  EXPECT_NEAR(fixed.floor, sineAtDent(cells), 1e-12);
+  std::vector<Index> quads;
+  for (const FixedCorner& corner : fixed.inverted)
+  {
+    quads.push_back(corner.quad);
+    EXPECT_NEAR(corner.scaledJacobian, sineAtDent(cells), 1e-12);
+    // The node is where the rim is nearest to the middle.
+    EXPECT_NEAR(
+      cap.quads.points.row(cap.quads.quads(corner.quad, corner.corner)).norm(), 1.0 - Dent, 1e-12);
+  }
+  EXPECT_EQ(quads, quadsAtCornersOfSquare(cells));
+}
+
 TEST(QuadUntangling, GivesTheSameBitsTwice)
 {
   const CapModel cap = model(10, threeHoles(), 1.0, flat(), 20);
@@ -179,6 +305,22 @@ TEST(QuadPolishing, NeverLowersTheMinimum)
       EXPECT_GE(result.quality.mean, before.mean - 1e-12);
     }
   }
+}
+
+TEST(QuadPolishing, WorksRoundCornersThatNothingCures)
+{
+  CapModel cap = dentedModel(12, 1.2);
+  const CapCorners corners = cap.corners();
+  cap.quads.points = untangleQuads(corners, cap.quads.points, cap.upright).points;
+  const CornerQuality before = corners.measure(cap.quads.points);
+  ASSERT_EQ(before.inverted, 0);
+  const ImprovedQuads result = polishQuads(corners, cap.quads.points, cap.upright);
+  EXPECT_GT(result.rounds, 0);
+  EXPECT_EQ(result.quality.inverted, 0);
+  EXPECT_EQ(result.quality.fixedInverted, 4);
+  EXPECT_GT(result.quality.minimum, before.minimum);
+  EXPECT_GT(result.quality.mean, before.mean);
+  EXPECT_EQ(invertedQuads(result.points, cap.quads.quads), quadsAtCornersOfSquare(12));
 }
 
 TEST(QuadPolishing, DoesNotCollapseEdges)

@@ -17,9 +17,9 @@ namespace
 {
 constexpr int MaximumRounds = 100;
 /// Rounds in a row without progress that end the search with one wanted shape.
-constexpr int StagnantRounds = 12;
+constexpr int StagnantRounds = 6;
 constexpr double LeastGain = 0.01;     // of the least scaled Jacobian, to count as progress
-constexpr double LeastDecrease = 0.01; // relative, of the energy within a round
+constexpr double LeastDecrease = 0.05; // relative, of the energy within a round
 constexpr int NewtonSteps = 6;
 constexpr double Settled = 1e-3;     // relative decrease of the energy that ends a round
 constexpr double FirstEpsilon = 1.0; // of the wanted corner's area

@@ -27,8 +27,8 @@ struct ImprovedQuads
  * Rounds of Newton descent with falling regularisation, with rectangles as wanted shapes; where
  * these fail, squares, then the source quads. Stops at the first mesh whose movable corners are all
  * upright: one between two fixed edges is out of reach and does not count. A wanted shape has
- * failed after 12 rounds in a row that neither cured a corner or raised the minimum by 0.01, nor
- * lowered the energy by 1 %, and after 100 rounds in any case.
+ * failed after 6 rounds in a row that neither cured a corner or raised the minimum by 0.01, nor
+ * lowered the energy by 5 %, and after 100 rounds in any case.
  * The result is never worse than the start (CornerQuality::betterThan()).
  *
  * @param points n x 3: the start, on the surface.

@@ -211,6 +211,17 @@ TEST(QuadUntangling, NamesWhatNoInnerNodeCanCure)
   const ImprovedQuads result = untangleQuads(corners, cap.quads.points, cap.upright);
   EXPECT_GT(result.quality.inverted, 0);
   EXPECT_LE(result.quality.inverted, before.inverted);
+  EXPECT_LT(result.rounds, 100); // of 300: it sees that it is stuck
+}
+
+TEST(QuadUntangling, GoesOnWhereManyRoundsAreNeeded)
+{
+  // Nodes thrown right across the plate: no wanted shape may be given up too early.
+  const CapModel cap = model(16, {}, 8.0, flat(), 12);
+  const ImprovedQuads result = untangleQuads(cap.corners(), cap.quads.points, cap.upright);
+  EXPECT_GT(result.rounds, 10);
+  EXPECT_EQ(result.quality.inverted, 0);
+  EXPECT_TRUE(invertedQuads(result.points, cap.quads.quads).empty());
 }
 
 TEST(QuadUntangling, CuresAllButCornersBetweenFixedEdges)

@@ -45,12 +45,16 @@ TriangleMesh FlatFlips::mesh() const
   return result;
 }
 
-double FlatFlips::cotangent(Index half) const
+double FlatFlips::cotangent(Index half, const Eigen::RowVector3d& apex) const
 {
-  const Eigen::RowVector3d& apex = this->point(this->Connectivity.apex(half));
   const Eigen::RowVector3d u = this->point(this->Connectivity.from(half)) - apex;
   const Eigen::RowVector3d v = this->point(this->Connectivity.to(half)) - apex;
   return u.dot(v) / u.cross(v).norm();
+}
+
+double FlatFlips::cotangent(Index half) const
+{
+  return this->cotangent(half, this->point(this->Connectivity.apex(half)));
 }
 
 double FlatFlips::weight(Index half) const
@@ -61,26 +65,51 @@ double FlatFlips::weight(Index half) const
 
 bool FlatFlips::isFlat(Index half) const
 {
+  return this->isFlat(half, this->point(this->Connectivity.apex(half)));
+}
+
+bool FlatFlips::isCoplanar(Index half) const
+{
+  return this->isCoplanar(half, this->point(this->Connectivity.apex(half)));
+}
+
+bool FlatFlips::isCoplanar(Index half, const Eigen::RowVector3d& c) const
+{
+  const Eigen::RowVector3d& a = this->point(this->Connectivity.from(half));
+  const Eigen::RowVector3d& b = this->point(this->Connectivity.to(half));
+  const Eigen::RowVector3d& d = this->point(this->Connectivity.apex(this->Connectivity.twin(half)));
+  const Eigen::RowVector3d across = (b - a).cross(d - c);
+  const double length = across.norm();
+  return length > 0.0 && std::abs((c - a).dot(across)) <= this->Tolerance * length;
+}
+
+bool FlatFlips::isFlat(Index half, const Eigen::RowVector3d& c) const
+{
   const Index other = this->Connectivity.twin(half);
-  if (other < 0)
+  if (other < 0 || !this->isCoplanar(half, c))
   {
     return false;
   }
   const Eigen::RowVector3d& a = this->point(this->Connectivity.from(half));
   const Eigen::RowVector3d& b = this->point(this->Connectivity.to(half));
-  const Eigen::RowVector3d& c = this->point(this->Connectivity.apex(half));
   const Eigen::RowVector3d& d = this->point(this->Connectivity.apex(other));
-  const Eigen::RowVector3d across = (b - a).cross(d - c);
-  const double length = across.norm();
-  if (!(length > 0.0) || std::abs((c - a).dot(across)) > this->Tolerance * length)
-  {
-    return false;
-  }
   const Eigen::RowVector3d normals[4] = { (b - a).cross(c - a), (d - a).cross(b - a),
     (a - c).cross(d - c), (b - d).cross(c - d) };
   return normals[0].dot(normals[1]) > 0.0 && normals[2].dot(normals[0]) > 0.0 &&
     normals[2].dot(normals[1]) > 0.0 && normals[3].dot(normals[0]) > 0.0 &&
     normals[3].dot(normals[1]) > 0.0;
+}
+
+bool FlatFlips::wouldFlip(Index half, const Eigen::RowVector3d& apex) const
+{
+  const Index other = this->Connectivity.twin(half);
+  if (other < 0)
+  {
+    return false;
+  }
+  const double p = this->cotangent(half, apex);
+  const double q = this->cotangent(other);
+  return p + q < -RelativeRounding * (1.0 + std::abs(p) + std::abs(q)) && this->isFlat(half, apex);
 }
 
 bool FlatFlips::existsEdge(Index half, Index to) const
@@ -122,13 +151,7 @@ void FlatFlips::flipFrom(std::vector<Index> open)
     const Index half = open.back();
     open.pop_back();
     const Index other = this->Connectivity.twin(half);
-    if (other < 0)
-    {
-      continue;
-    }
-    const double p = this->cotangent(half);
-    const double q = this->cotangent(other);
-    if (!(p + q < -RelativeRounding * (1.0 + std::abs(p) + std::abs(q))) || !this->isFlat(half) ||
+    if (!this->wouldFlip(half, this->point(this->Connectivity.apex(half))) ||
       this->existsEdge(HalfEdgeTriangles::previous(half), this->Connectivity.apex(other)))
     {
       continue;

@@ -30,9 +30,18 @@ public:
   /// The weight of an edge, equation (1) of the paper.
   double weight(Index half) const;
 
+  /// Whether the triangles beside an inner edge lie in one plane, up to rounding.
+  bool isCoplanar(Index half) const;
+
   /// Whether the triangles beside an edge are coplanar, up to rounding, and would stay upright
   /// with the other diagonal.
   bool isFlat(Index half) const;
+
+  /// The same with another place for the apex of the triangle left of the edge.
+  bool isFlat(Index half, const Eigen::RowVector3d& apex) const;
+
+  /// Whether flipAll() would flip an edge if the triangle left of it had its apex elsewhere.
+  bool wouldFlip(Index half, const Eigen::RowVector3d& apex) const;
 
   /// Flips flat edges of negative weight until there are none.
   void flipAll();
@@ -44,6 +53,8 @@ public:
   Index insertCentroid(Index triangle);
 
 private:
+  bool isCoplanar(Index half, const Eigen::RowVector3d& apex) const;
+  double cotangent(Index half, const Eigen::RowVector3d& apex) const;
   double cotangent(Index half) const;
   /// Whether an edge leads from the start of `half` to a vertex.
   bool existsEdge(Index half, Index to) const;

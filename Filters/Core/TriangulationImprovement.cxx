@@ -35,7 +35,13 @@ constexpr double Density = 1.4142135623730951;
 constexpr double LongestBentEdge = 1.5;
 
 /// Points that refinement adds at most, for each point there is.
-constexpr Index MostPointsPerPoint = 100;
+constexpr Index MostPointsPerPoint = 10;
+
+/// Least height over longest edge of a triangle that refinement may always make.
+constexpr double GoodShape = 0.1;
+
+/// Comparisons that symmetry makes ties must not hang on rounding.
+constexpr double RelativeSlack = 1e-9;
 
 double twiceArea(const TriangleMesh& mesh, Index t)
 {
@@ -124,6 +130,84 @@ std::vector<double> loopSizes(const FlatFlips& surface)
   return sizes;
 }
 
+/// Least height over longest edge.
+double shapeOf(
+  const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c)
+{
+  const double longest =
+    std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
+  return (b - a).cross(c - a).norm() / longest;
+}
+
+double shapeOf(const FlatFlips& surface, Index triangle)
+{
+  const HalfEdgeTriangles& mesh = surface.connectivity();
+  return shapeOf(surface.point(mesh.from(3 * triangle)), surface.point(mesh.from(3 * triangle + 1)),
+    surface.point(mesh.from(3 * triangle + 2)));
+}
+
+double leastShape(const FlatFlips& surface)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (Index t = 0; t < surface.connectivity().numberOfTriangles(); ++t)
+  {
+    least = std::min(least, shapeOf(surface, t));
+  }
+  return least;
+}
+
+/// Whether a triangle keeps its distance from the points and boundary edges that it would be
+/// joined to, and no triangle gets thinner than the thinnest one replaced, or than GoodShape.
+bool allowsPoint(
+  const FlatFlips& surface, Index triangle, const Eigen::RowVector3d& place, double distance)
+{
+  const HalfEdgeTriangles& mesh = surface.connectivity();
+  double before = shapeOf(surface, triangle);
+  double after = std::numeric_limits<double>::infinity();
+  std::vector<Index> open{ 3 * triangle, 3 * triangle + 1, 3 * triangle + 2 };
+  while (!open.empty())
+  {
+    const Index half = open.back();
+    open.pop_back();
+    if (surface.wouldFlip(half, place))
+    {
+      const Index other = mesh.twin(half);
+      before = std::min(before, shapeOf(surface, other / 3));
+      open.push_back(HalfEdgeTriangles::next(other));
+      open.push_back(HalfEdgeTriangles::previous(other));
+      continue;
+    }
+    const Eigen::RowVector3d& a = surface.point(mesh.from(half));
+    const Eigen::RowVector3d& b = surface.point(mesh.to(half));
+    // A boundary edge is not split, so the circle over it must stay empty (Ruppert).
+    if ((a - place).norm() < distance ||
+      (mesh.twin(half) < 0 && (a - place).dot(b - place) < -RelativeSlack * (b - a).squaredNorm()))
+    {
+      return false;
+    }
+    after = std::min(after, shapeOf(a, b, place));
+  }
+  return after >= (1.0 - RelativeSlack) * std::min(before, GoodShape);
+}
+
+/// Whether halving an inner edge makes no triangle thinner than those beside it, or GoodShape.
+bool allowsHalving(const FlatFlips& surface, Index half)
+{
+  const HalfEdgeTriangles& mesh = surface.connectivity();
+  const Eigen::RowVector3d& a = surface.point(mesh.from(half));
+  const Eigen::RowVector3d& b = surface.point(mesh.to(half));
+  const Eigen::RowVector3d middle = 0.5 * (a + b);
+  double before = std::numeric_limits<double>::infinity();
+  double after = before;
+  for (const Index side : { half, mesh.twin(half) })
+  {
+    const Eigen::RowVector3d& apex = surface.point(mesh.apex(side));
+    before = std::min(before, shapeOf(surface, side / 3));
+    after = std::min({ after, shapeOf(a, middle, apex), shapeOf(middle, b, apex) });
+  }
+  return after >= (1.0 - RelativeSlack) * std::min(before, GoodShape);
+}
+
 void refine(FlatFlips& surface)
 {
   const HalfEdgeTriangles& mesh = surface.connectivity();
@@ -149,7 +233,8 @@ void refine(FlatFlips& surface)
       const double length = (surface.point(b) - surface.point(a)).norm();
       const Eigen::RowVector3d middle = 0.5 * (surface.point(a) + surface.point(b));
       const double wanted = grownSize(middle, { a, b });
-      if (mesh.twin(half) > half && length > LongestBentEdge * wanted && !surface.isFlat(half))
+      if (mesh.twin(half) > half && length > (1.0 + RelativeSlack) * LongestBentEdge * wanted &&
+        !surface.isCoplanar(half) && allowsHalving(surface, half))
       {
         surface.halve(half);
         sizes.push_back(wanted);
@@ -165,9 +250,9 @@ void refine(FlatFlips& surface)
       const double wanted = grownSize(centroid, { ids[0], ids[1], ids[2] });
       const bool tooLarge = std::all_of(std::begin(ids), std::end(ids), [&](Index i) {
         const double distance = Density * (surface.point(i) - centroid).norm();
-        return distance > wanted && distance > size(i);
+        return distance > (1.0 + RelativeSlack) * std::max(wanted, size(i));
       });
-      if (tooLarge)
+      if (tooLarge && allowsPoint(surface, t, centroid, wanted / Density))
       {
         surface.insertCentroid(t);
         sizes.push_back(wanted);
@@ -247,7 +332,14 @@ ImprovedTriangulation improveTriangulation(const TriangleMesh& mesh, const Impro
   result.flips = surface.flips();
   if (plan.refine)
   {
-    refine(surface);
+    const double before = leastShape(surface);
+    FlatFlips refined = surface;
+    refine(refined);
+    // Each step keeps this by itself; that is proved for Delaunay neighbourhoods only.
+    if (leastShape(refined) >= 0.5 * std::min(before, GoodShape))
+    {
+      surface = std::move(refined);
+    }
   }
   result.mesh = surface.mesh();
   result.triangleOrigin = origins(mesh, result.mesh);

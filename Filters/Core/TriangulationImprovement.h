@@ -56,6 +56,13 @@ struct ImprovedTriangulation
  * Processing, 2003), flips, and halves long edges that are bent; the size at a loop's node is the
  * length of the edges beside it and grows inwards.
  *
+ * Triangles beside a long edge of the boundary stay as large as that edge wants: no centroid is
+ * inserted inside the circle over an edge of the boundary (J. Ruppert, "A Delaunay refinement
+ * algorithm for quality 2-dimensional mesh generation", Journal of Algorithms 18, 1995), nor closer
+ * than the size / sqrt(2) to a point it would be joined to. No step makes a triangle whose height
+ * over its longest edge is below both 0.1 and that of the thinnest triangle it replaces; a
+ * refinement that ends below half of that is given up. At most 10 points are added for each point.
+ *
  * @param mesh an oriented 2-manifold, see checkSurface().
  */
 ImprovedTriangulation improveTriangulation(const TriangleMesh& mesh, const ImprovementPlan& plan);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace hexsweep
@@ -160,16 +161,35 @@ CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weigh
 CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
   TriangulationImprovement improvement, const KoebeLimits& limits, const Progress& progress)
 {
-  CapDisk cap = mapOnce(mesh, treatment, weights, improvement, limits, progress);
-  if (improvement != TriangulationImprovement::Off && !cap.flipped.empty())
+  const auto plain = [&] {
+    return mapOnce(mesh, treatment, weights, TriangulationImprovement::Off, limits, progress);
+  };
+  if (improvement == TriangulationImprovement::Off)
   {
-    CapDisk plain =
-      mapOnce(mesh, treatment, weights, TriangulationImprovement::Off, limits, progress);
-    if (plain.flipped.size() < cap.flipped.size())
+    return plain();
+  }
+  // What is meant to help must never stand in the way.
+  std::optional<CapDisk> improved;
+  try
+  {
+    improved = mapOnce(mesh, treatment, weights, improvement, limits, progress);
+  }
+  catch (const InvalidInput&)
+  {
+    return plain();
+  }
+  catch (const SolverFailure&)
+  {
+    return plain();
+  }
+  if (!improved->flipped.empty())
+  {
+    CapDisk other = plain();
+    if (other.flipped.size() < improved->flipped.size())
     {
-      cap = std::move(plain);
+      return other;
     }
   }
-  return cap;
+  return *std::move(improved);
 }
 }

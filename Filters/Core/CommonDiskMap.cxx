@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hexsweep
 {
@@ -202,7 +203,9 @@ CapDisk unmappedCap(const CapBoundary& cap, Index numberOfOriginalPoints)
   return disk;
 }
 
-CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
+namespace
+{
+CommonDisks mapBoth(const TriangleMesh& first, const TriangleMesh& second,
   const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
   const Progress& progress, const CapNames& names, TriangulationImprovement improvement)
 {
@@ -225,19 +228,48 @@ CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
   {
     mapCircles(disks, caps, capWeights);
   }
+  reportProgress(progress, 1.0);
+  return disks;
+}
+}
+
+CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
+  const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
+  const Progress& progress, const CapNames& names, TriangulationImprovement improvement)
+{
+  const auto plain = [&] {
+    return mapBoth(first, second, pairs, weights, matchTolerance, progress, names,
+      TriangulationImprovement::Off);
+  };
+  if (improvement == TriangulationImprovement::Off)
+  {
+    return plain();
+  }
+  // What is meant to help must never stand in the way.
+  std::optional<CommonDisks> improved;
+  try
+  {
+    improved = mapBoth(first, second, pairs, weights, matchTolerance, progress, names, improvement);
+  }
+  catch (const InvalidInput&)
+  {
+    return plain();
+  }
+  catch (const SolverFailure&)
+  {
+    return plain();
+  }
   const auto flips = [](const CommonDisks& d) {
     return d.first.flipped.size() + d.second.flipped.size();
   };
-  if (improvement != TriangulationImprovement::Off && flips(disks) > 0)
+  if (flips(*improved) > 0)
   {
-    CommonDisks plain =
-      commonDiskMap(first, second, pairs, weights, matchTolerance, progress, names);
-    if (flips(plain) < flips(disks))
+    CommonDisks other = plain();
+    if (flips(other) < flips(*improved))
     {
-      disks = std::move(plain);
+      return other;
     }
   }
-  reportProgress(progress, 1.0);
-  return disks;
+  return *std::move(improved);
 }
 }

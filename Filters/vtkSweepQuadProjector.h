@@ -48,11 +48,11 @@
  * - 1, 2 source and target cap in their disk, as vtkHarmonicDiskMap gives them; empty for
  *   AFFINE_LEAST_SQUARES.
  *
- * The unit of length, the axes and the origin do not matter: with all settings at their defaults,
- * points agree to 3e-13 of the model's size at 1e-6 and 1e6 times the size and after a rotation
- * (measured on 16 sweeps). Far from the origin the rounding of the input itself shows: d sizes away
- * points agree to about 5e-16 d, which is below 1e-9 a million sizes away; untangling multiplies
- * that by up to a few hundred, which leaves 1e-9 ten thousand sizes away.
+ * The unit of length, the axes and the origin do not matter: with HARMONIC and all other settings
+ * at their defaults, points agree to 3e-13 of the model's size at 1e-6 and 1e6 times the size and
+ * after a rotation (measured on 16 sweeps). Far from the origin the rounding of the input itself
+ * shows: d sizes away points agree to about 5e-16 d, which is below 1e-9 a million sizes away;
+ * untangling multiplies that by up to a few hundred, which leaves 1e-9 ten thousand sizes away.
  *
  * Inverted quads, flipped triangles and a violated Nitsche bound raise warnings.
  */

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 namespace hexsweep
@@ -37,28 +36,28 @@ KoebeMap arcLengthCircles(const TriangleMesh& mesh, const std::vector<Loop>& loo
   return map;
 }
 
-/// The same annulus with (log r, angle) linear, where that flips nothing: a small hole crowds the
-/// triangles beside it, which straight edges in the plane then cut.
+/// The annulus that a cap is conformal to with (log r, angle) linear, where that flips nothing: a
+/// small hole crowds the triangles beside it, which straight edges in the plane then cut.
 bool useCylinder(CapDisk& cap)
 {
-  CapDisk other = cap;
   const ConformalAnnulus annulus = conformalAnnulus(cap.mesh.points, cap.mesh.triangles, cap.loops);
   const double start = annulus.angle[cap.loops[0][0]];
-  other.domain = DiskDomain::Annulus;
-  for (Index i = 0; i < other.disk.rows(); ++i)
+  PlanePoints disk(cap.mesh.points.rows(), 2);
+  for (Index i = 0; i < disk.rows(); ++i)
   {
     const double angle = annulus.angle[i] - start;
-    other.disk.row(i) = std::pow(annulus.innerRadius, annulus.height[i]) *
+    disk.row(i) = std::pow(annulus.innerRadius, annulus.height[i]) *
       Eigen::RowVector2d(std::cos(angle), std::sin(angle));
   }
-  other.weights = Weights::Cotangent;
-  other.flipped = domainTriangles(other.domain, other.disk, other.mesh.triangles).flipped;
-  const bool good = other.flipped.empty();
-  if (good)
+  if (!domainTriangles(DiskDomain::Annulus, disk, cap.mesh.triangles).flipped.empty())
   {
-    cap = std::move(other);
+    return false;
   }
-  return good;
+  cap.domain = DiskDomain::Annulus;
+  cap.disk = std::move(disk);
+  cap.weights = Weights::Cotangent;
+  cap.flipped.clear();
+  return true;
 }
 
 CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
@@ -109,7 +108,7 @@ CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weigh
   KoebeMap map;
   if (treatment == HoleTreatment::Koebe)
   {
-    const auto part = [&](double done) { return !progress || progress(0.2 + 0.6 * done); };
+    const Progress part = progressPart(progress, 0.2, 0.8);
     std::vector<Weights> tried{ weights };
     if (improvement != TriangulationImprovement::Off && weights != Weights::Intrinsic)
     {
@@ -161,35 +160,11 @@ CapDisk mapOnce(const TriangleMesh& mesh, HoleTreatment treatment, Weights weigh
 CapDisk canonicalDiskMap(const TriangleMesh& mesh, HoleTreatment treatment, Weights weights,
   TriangulationImprovement improvement, const KoebeLimits& limits, const Progress& progress)
 {
-  const auto plain = [&] {
-    return mapOnce(mesh, treatment, weights, TriangulationImprovement::Off, limits, progress);
-  };
-  if (improvement == TriangulationImprovement::Off)
-  {
-    return plain();
-  }
-  // What is meant to help must never stand in the way.
-  std::optional<CapDisk> improved;
-  try
-  {
-    improved = mapOnce(mesh, treatment, weights, improvement, limits, progress);
-  }
-  catch (const InvalidInput&)
-  {
-    return plain();
-  }
-  catch (const SolverFailure&)
-  {
-    return plain();
-  }
-  if (!improved->flipped.empty())
-  {
-    CapDisk other = plain();
-    if (other.flipped.size() < improved->flipped.size())
-    {
-      return other;
-    }
-  }
-  return *std::move(improved);
+  return improvedOrPlain(
+    improvement,
+    [&](TriangulationImprovement used) {
+      return mapOnce(mesh, treatment, weights, used, limits, progress);
+    },
+    [](const CapDisk& cap) { return cap.flipped.size(); });
 }
 }

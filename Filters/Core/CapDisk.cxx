@@ -207,9 +207,8 @@ void mapWithFallback(CapDisk& cap, Weights weights, const std::function<PlanePoi
 void mapWithFallback(CapDisk& cap, Weights weights, const std::vector<PlanePoints>& places)
 {
   const auto mapped = [&](CapDisk result) {
-    const TriangleMesh mesh = result.mesh;
     mapWithFallback(
-      result, weights, [&](Weights w) { return mapToPlane(mesh, result.loops, places, w); });
+      result, weights, [&](Weights w) { return mapToPlane(result.mesh, result.loops, places, w); });
     return result;
   };
   CapDisk uncut = cap;

@@ -7,11 +7,14 @@
 #define hexsweep_CapDisk_h
 
 #include "DiskDomain.h"
+#include "Errors.h"
 #include "FilledDiskMap.h"
 #include "KoebeMap.h"
 #include "TriangulationImprovement.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace hexsweep
 {
@@ -103,6 +106,45 @@ void mapWithFallback(CapDisk& cap, Weights weights, const std::function<PlanePoi
  * map made again.
  */
 void mapWithFallback(CapDisk& cap, Weights weights, const std::vector<PlanePoints>& places);
+
+/**
+ * The map with an improvement of the triangulation, or the one without it where that one flips
+ * fewer triangles or the improvement fails: what is meant to help must never stand in the way.
+ *
+ * @param map   called with the improvement, then, if need be, with Off.
+ * @param flips of one of its results: how many triangles are flipped.
+ */
+template <typename Map, typename Flips>
+auto improvedOrPlain(TriangulationImprovement improvement, const Map& map, const Flips& flips)
+{
+  const auto plain = [&] { return map(TriangulationImprovement::Off); };
+  if (improvement == TriangulationImprovement::Off)
+  {
+    return plain();
+  }
+  std::optional<decltype(plain())> improved;
+  try
+  {
+    improved = map(improvement);
+  }
+  catch (const InvalidInput&)
+  {
+    return plain();
+  }
+  catch (const SolverFailure&)
+  {
+    return plain();
+  }
+  if (flips(*improved) > 0)
+  {
+    auto other = plain();
+    if (flips(other) < flips(*improved))
+    {
+      return other;
+    }
+  }
+  return *std::move(improved);
+}
 }
 
 #endif

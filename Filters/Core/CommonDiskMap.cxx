@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace hexsweep
 {
@@ -29,13 +28,6 @@ struct CapWeights
   Weights first;
   Weights second;
 };
-
-/// What measures a cap: the metric's own weights, whatever weights its map is to have.
-SparseMatrix symmetricLaplacian(const TriangleMesh& mesh, Weights weights)
-{
-  return surfaceLaplacian(
-    mesh.points, mesh.triangles, weights == Weights::MeanValue ? Weights::Cotangent : weights);
-}
 
 std::vector<double> mean(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -84,8 +76,8 @@ PlanePoints mapToAnnulus(const CapBoundary& cap, const CylinderCap& own,
 void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, const CapWeights& weights)
 {
   const auto measure = [](const CapBoundary& cap, Weights own) {
-    return measureCylinder(
-      symmetricLaplacian(cap.mesh, own), cap.mesh.points, cap.mesh.triangles, cap.loops);
+    return measureCylinder(symmetricLaplacian(cap.mesh.points, cap.mesh.triangles, own),
+      cap.mesh.points, cap.mesh.triangles, cap.loops);
   };
   const CylinderCap first = measure(caps.first, weights.first);
   const CylinderCap second = measure(caps.second, weights.second);
@@ -156,7 +148,8 @@ void mapCircles(CommonDisks& disks, const CapBoundaries& caps, const CapWeights&
   if (caps.pairs.size() > 1)
   {
     const auto filled = [&](const CapBoundary& cap, Weights w) {
-      return filledDiskMap(symmetricLaplacian(cap.mesh, w), cap.mesh.points, cap.loops, places[0]);
+      return filledDiskMap(symmetricLaplacian(cap.mesh.points, cap.mesh.triangles, w),
+        cap.mesh.points, cap.loops, places[0]);
     };
     const FilledDiskMap first = filled(caps.first, weights.first);
     const FilledDiskMap second = filled(caps.second, weights.second);
@@ -237,39 +230,11 @@ CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
   const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
   const Progress& progress, const CapNames& names, TriangulationImprovement improvement)
 {
-  const auto plain = [&] {
-    return mapBoth(first, second, pairs, weights, matchTolerance, progress, names,
-      TriangulationImprovement::Off);
-  };
-  if (improvement == TriangulationImprovement::Off)
-  {
-    return plain();
-  }
-  // What is meant to help must never stand in the way.
-  std::optional<CommonDisks> improved;
-  try
-  {
-    improved = mapBoth(first, second, pairs, weights, matchTolerance, progress, names, improvement);
-  }
-  catch (const InvalidInput&)
-  {
-    return plain();
-  }
-  catch (const SolverFailure&)
-  {
-    return plain();
-  }
-  const auto flips = [](const CommonDisks& d) {
-    return d.first.flipped.size() + d.second.flipped.size();
-  };
-  if (flips(*improved) > 0)
-  {
-    CommonDisks other = plain();
-    if (flips(other) < flips(*improved))
-    {
-      return other;
-    }
-  }
-  return *std::move(improved);
+  return improvedOrPlain(
+    improvement,
+    [&](TriangulationImprovement used) {
+      return mapBoth(first, second, pairs, weights, matchTolerance, progress, names, used);
+    },
+    [](const CommonDisks& d) { return d.first.flipped.size() + d.second.flipped.size(); });
 }
 }

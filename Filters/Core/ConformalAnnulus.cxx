@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConformalAnnulus.h"
 
+#include "CapDisk.h"
 #include "Constants.h"
 #include "DirichletSolver.h"
 #include "Errors.h"
@@ -56,18 +57,14 @@ ConformalAnnulus conformalAnnulus(
   const PointsRef& points, const TrianglesRef& triangles, const std::vector<Loop>& loops)
 {
   const SparseMatrix laplacian = cotangentLaplacian(points, triangles);
-  std::vector<bool> fixed(static_cast<std::size_t>(points.rows()), false);
   Eigen::VectorXd height = Eigen::VectorXd::Zero(points.rows());
-  for (std::size_t l = 0; l < 2; ++l)
+  for (const Index v : loops[1])
   {
-    for (const Index v : loops[l])
-    {
-      fixed[static_cast<std::size_t>(v)] = true;
-      height[v] = static_cast<double>(l);
-    }
+    height[v] = 1.0;
   }
   ConformalAnnulus annulus;
-  annulus.height = DirichletSolver(laplacian, fixed, points).solve(height);
+  annulus.height =
+    DirichletSolver(laplacian, boundaryFlags(points.rows(), loops), points).solve(height);
   HarmonicAngle angle = harmonicAngle(
     points, triangles, laplacian, shortestCut(triangles, points.rows(), loops[1], loops[0]));
   annulus.angle = std::move(angle.values);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DiskFill.h"
 
+#include "Constants.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,8 +12,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 /// Terms of the series below: the ratio of two is at most 1 / 4.
 constexpr int SeriesTerms = 26;
 

@@ -36,6 +36,12 @@ public:
   }
 };
 
+/// The progress of a part of some work, which spans [from, to] of the whole.
+inline Progress progressPart(const Progress& progress, double from, double to)
+{
+  return [=](double fraction) { return !progress || progress(from + (to - from) * fraction); };
+}
+
 /// Reports the fraction done; throws Aborted when the callback returns false.
 inline void reportProgress(const Progress& progress, double fraction)
 {

@@ -4,7 +4,7 @@
 #include "Constants.h"
 #include "DiskFill.h"
 #include "FillMesh.h"
-#include "FilledDiskMap.h"
+#include "LoopGeometry.h"
 
 #include <algorithm>
 #include <cmath>

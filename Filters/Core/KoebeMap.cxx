@@ -47,17 +47,22 @@ std::vector<double> nodeLengths(const PointsRef& points, const Loop& loop)
   return lengths;
 }
 
+/// Appends an angle to those along a loop, less the whole turns that it is away from the last one.
+void appendUnwrapped(Angles& angles, double angle)
+{
+  angles.push_back(angles.empty() ? angle : angles.back() + wrapAngle(angle - angles.back()));
+}
+
 /// Angles that a Moebius map of the disk balances, turned as a whole towards a reference.
 Angles balanced(const Angles& angles, const std::vector<double>& weights, const Angles& reference)
 {
   const DiskAutomorphism map = balancingMap(angles, weights);
-  Angles result(angles.size());
+  Angles result;
   double turn = 0.0;
   double total = 0.0;
   for (std::size_t i = 0; i < angles.size(); ++i)
   {
-    const double angle = std::arg(map(std::polar(1.0, angles[i])));
-    result[i] = i == 0 ? angle : result[i - 1] + wrapAngle(angle - result[i - 1]);
+    appendUnwrapped(result, std::arg(map(std::polar(1.0, angles[i]))));
     turn += weights[i] * (result[i] - reference[i]);
     total += weights[i];
   }
@@ -104,10 +109,7 @@ LoopImage fitCircle(
   for (const Index v : loop)
   {
     const Eigen::RowVector2d arm = image.row(v) - result.circle.center;
-    const double angle = std::atan2(arm.y(), arm.x());
-    result.angles.push_back(result.angles.empty()
-        ? angle
-        : result.angles.back() + wrapAngle(angle - result.angles.back()));
+    appendUnwrapped(result.angles, std::atan2(arm.y(), arm.x()));
     result.circularity =
       std::max(result.circularity, std::abs(arm.norm() / result.circle.radius - 1.0));
   }
@@ -145,7 +147,7 @@ public:
   {
     for (int change = 0; change < ChangesPerRound; ++change)
     {
-      if (this->Mapped)
+      if (!this->Images.empty())
       {
         this->changeGluing();
       }
@@ -157,7 +159,6 @@ public:
       {
         this->Sphere.correct(this->Gluing);
       }
-      this->Mapped = true;
       this->Images.clear();
       for (std::size_t p = 0; p < this->Loops.size(); ++p)
       {
@@ -313,7 +314,6 @@ private:
   std::vector<LoopImage> Images;
   std::vector<Step> Former;
   double GreatestChange = std::numeric_limits<double>::infinity();
-  bool Mapped = false;
 };
 
 void checkOrder(bool isInOrder, const PointsRef& points, const Loop& loop)
@@ -340,8 +340,7 @@ KoebeMap mapOneHole(
     Angles angles;
     for (const Index v : loops[p])
     {
-      const double angle = annulus.angle[v] - annulus.angle[loops[0][0]];
-      angles.push_back(angles.empty() ? angle : angles.back() + wrapAngle(angle - angles.back()));
+      appendUnwrapped(angles, annulus.angle[v] - annulus.angle[loops[0][0]]);
     }
     map.places.push_back(
       circlePoints({ { 0.0, 0.0 }, p == 0 ? 1.0 : annulus.innerRadius }, angles));
@@ -371,10 +370,7 @@ KoebeMap koebeMap(const PointsRef& points, const TrianglesRef& triangles,
     return mapOneHole(points, triangles, loops);
   }
   KoebeMap result;
-  KoebeIteration iteration(points,
-    surfaceLaplacian(
-      points, triangles, weights == Weights::MeanValue ? Weights::Cotangent : weights),
-    loops);
+  KoebeIteration iteration(points, symmetricLaplacian(points, triangles, weights), loops);
   for (int done = 0; !result.converged && done < std::max(1, limits.maximumRounds); ++done)
   {
     KoebeRound round = iteration.round();

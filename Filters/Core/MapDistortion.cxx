@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapDistortion.h"
 
+#include "Constants.h"
+
 #include <cmath>
 
 namespace hexsweep
 {
 namespace
 {
-constexpr double Degrees = 180.0 / 3.14159265358979323846;
+constexpr double Degrees = 180.0 / Pi;
 }
 
 MapDistortion mapDistortion(const CapDisk& cap)

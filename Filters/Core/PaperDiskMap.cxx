@@ -80,8 +80,7 @@ void mapInto(CapDisk& cap, const CanonicalBoundary& boundary, Weights weights)
 {
   cap.domain = boundary.domain;
   cap.holes = boundary.holes;
-  mapWithFallback(
-    cap, weights, [&](Weights w) { return mapToPlane(cap.mesh, cap.loops, boundary.places, w); });
+  mapWithFallback(cap, weights, boundary.places);
 }
 }
 

@@ -89,11 +89,6 @@ void forEachNode(const std::vector<Index>& nodes, const Progress& progress, cons
   }
 }
 
-Progress part(const Progress& progress, double from, double to)
-{
-  return [=](double fraction) { return !progress || progress(from + (to - from) * fraction); };
-}
-
 ProjectedQuads startFrom(const PointsRef& quadPoints, const std::vector<FixedNode>& boundary)
 {
   ProjectedQuads result;
@@ -129,7 +124,7 @@ ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vecto
   const std::vector<Index> nodes = interiorNodes(quadPoints, used, boundary);
   PlanePoints inDisk(static_cast<Index>(nodes.size()), 2);
   Index lastSource = -1;
-  forEachNode(nodes, part(progress, 0.0, SourceShare), [&](Index k, Index i) {
+  forEachNode(nodes, progressPart(progress, 0.0, SourceShare), [&](Index k, Index i) {
     const TrianglePoint onCap = onSource.closest(quadPoints.row(i), lastSource);
     lastSource = onCap.triangle;
     result.maximumSourceDistance = std::max(result.maximumSourceDistance, onCap.distance);
@@ -138,7 +133,7 @@ ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vecto
         domainCorners(source.domain, source.disk, source.mesh.triangles.row(onCap.triangle)));
   });
 
-  const LocatedPoints places = inTarget.locate(inDisk, part(progress, SourceShare, 1.0));
+  const LocatedPoints places = inTarget.locate(inDisk, progressPart(progress, SourceShare, 1.0));
   for (std::size_t k = 0; k < nodes.size(); ++k)
   {
     result.points.row(nodes[k]) =

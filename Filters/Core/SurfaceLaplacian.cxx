@@ -218,4 +218,11 @@ SparseMatrix surfaceLaplacian(
       return cotangentLaplacian(points, triangles);
   }
 }
+
+SparseMatrix symmetricLaplacian(
+  const PointsRef& points, const TrianglesRef& triangles, Weights weights)
+{
+  return surfaceLaplacian(
+    points, triangles, weights == Weights::MeanValue ? Weights::Cotangent : weights);
+}
 }

@@ -65,6 +65,10 @@ bool hasWeights(
 /// Any of them.
 SparseMatrix surfaceLaplacian(
   const PointsRef& points, const TrianglesRef& triangles, Weights weights);
+
+/// What measures a surface: cotangent weights in place of mean value ones, which are no metric's.
+SparseMatrix symmetricLaplacian(
+  const PointsRef& points, const TrianglesRef& triangles, Weights weights);
 }
 
 #endif

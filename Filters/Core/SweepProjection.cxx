@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "LinkingRings.h"
+#include "LoopGeometry.h"
 #include "LoopMatching.h"
 #include "SurfaceProjection.h"
 #include "SurfaceTopology.h"
@@ -25,11 +26,6 @@ TriangleMesh oriented(const TriangleMesh& mesh, const std::string& what)
   result.triangles = orientFaces(mesh.triangles, what);
   checkCap(checkSurface(result.triangles, result.points.rows(), what), what);
   return result;
-}
-
-Progress part(const Progress& progress, double from, double to)
-{
-  return [=](double fraction) { return !progress || progress(from + (to - from) * fraction); };
 }
 
 CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
@@ -204,26 +200,19 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
     input.source.quads, fixed, target, boundary.columns, result.quads.points);
   if (input.ensureValid)
   {
-    ImprovedQuads untangled =
-      untangleQuads(corners, result.quads.points, input.source.points, part(progress, 0.0, 0.5));
+    ImprovedQuads untangled = untangleQuads(
+      corners, result.quads.points, input.source.points, progressPart(progress, 0.0, 0.5));
     result.quads.points = std::move(untangled.points);
     result.rounds += untangled.rounds;
   }
   if (input.improveQuality)
   {
-    ImprovedQuads polished =
-      polishQuads(corners, result.quads.points, input.source.points, part(progress, 0.5, 1.0));
+    ImprovedQuads polished = polishQuads(
+      corners, result.quads.points, input.source.points, progressPart(progress, 0.5, 1.0));
     result.quads.points = std::move(polished.points);
     result.rounds += polished.rounds;
   }
   judge();
-}
-
-Loop outerLoop(const QuadMesh& mesh, const std::vector<Loop>& loops)
-{
-  const auto length = [&](const Loop& loop) { return closedLength(loopPoints(mesh.points, loop)); };
-  return *std::max_element(loops.begin(), loops.end(),
-    [&](const Loop& a, const Loop& b) { return length(a) < length(b); });
 }
 }
 
@@ -306,7 +295,8 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
   if (input.method == ProjectionMethod::AffineLeastSquares)
   {
     result.quads = projectAffinely(input.source.points, used, boundary.nodes,
-      outerLoop(input.source, topology.loops), target, part(progress, 0.05, 0.7));
+      topology.loops[longestLoop(input.source.points, topology.loops)], target,
+      progressPart(progress, 0.05, 0.7));
   }
   else
   {
@@ -336,7 +326,7 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
       {
         linked = link(source, target, *input.linking, input.matchTolerance, names);
       }
-      const Progress mapping = part(progress, 0.05, 0.6);
+      const Progress mapping = progressPart(progress, 0.05, 0.6);
       CommonDisks disks;
       if (input.method == ProjectionMethod::PaperHarmonic)
       {
@@ -354,11 +344,11 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
       result.target = std::move(disks.second);
     }
     result.quads = projectThroughDisks(input.source.points, used, boundary.nodes, *result.source,
-      *result.target, part(progress, 0.6, 0.7));
+      *result.target, progressPart(progress, 0.6, 0.7));
   }
   // The triangulation of the map, also where it was made here: given maps must give the same bits.
   improve(result, input, boundary, result.target ? result.target->mesh : target,
-    part(progress, 0.7, 1.0));
+    progressPart(progress, 0.7, 1.0));
   reportProgress(progress, 1.0);
   return result;
 }

@@ -384,6 +384,19 @@ Faces turnedOver(const Faces& faces)
 {
   return faces.rowwise().reverse();
 }
+
+inline double surfaceArea(const TriangleMesh& mesh)
+{
+  double area = 0.0;
+  for (Index t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = mesh.points.row(mesh.triangles(t, 0));
+    const Eigen::RowVector3d u = mesh.points.row(mesh.triangles(t, 1)) - a;
+    const Eigen::RowVector3d v = mesh.points.row(mesh.triangles(t, 2)) - a;
+    area += 0.5 * u.cross(v).norm();
+  }
+  return area;
+}
 }
 
 #endif

@@ -81,19 +81,6 @@ inline TriangleMesh needleStrips(double height, bool curved)
   return mesh;
 }
 
-inline double surfaceArea(const TriangleMesh& mesh)
-{
-  double area = 0.0;
-  for (Index t = 0; t < mesh.triangles.rows(); ++t)
-  {
-    const Eigen::RowVector3d a = mesh.points.row(mesh.triangles(t, 0));
-    const Eigen::RowVector3d u = mesh.points.row(mesh.triangles(t, 1)) - a;
-    const Eigen::RowVector3d v = mesh.points.row(mesh.triangles(t, 2)) - a;
-    area += 0.5 * u.cross(v).norm();
-  }
-  return area;
-}
-
 /// Whether d lies inside the circle through a, b, c of the plane by more than a part of it.
 inline bool isInCircle(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
   const Eigen::RowVector3d& c, const Eigen::RowVector3d& d, double part)

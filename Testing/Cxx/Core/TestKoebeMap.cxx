@@ -273,6 +273,17 @@ double greatestDifference(const KoebeMap& a, const KoebeMap& b)
   }
   return greatest;
 }
+
+KoebeMap expectSixRounds(const TriangleMesh& mesh, const std::vector<hexsweep::Loop>& loops)
+{
+  KoebeMap map = hexsweep::koebeMap(mesh.points, mesh.triangles, loops);
+  EXPECT_TRUE(map.converged);
+  EXPECT_LE(map.rounds.size(), 6u);
+  testing::Test::RecordProperty("rounds", static_cast<int>(map.rounds.size()));
+  EXPECT_LE(map.rounds.back().change, 1e-10);
+  expectCircleDomain(mesh, loops, map);
+  return map;
+}
 }
 
 TEST(KoebeMap, OneHoleComesBack)
@@ -300,12 +311,7 @@ TEST(KoebeMap, FortyHolesConvergeInSixRounds)
   const TriangleMesh mesh = fortyHoles(0.08);
   const auto loops = test::loopsOf(mesh);
   ASSERT_EQ(loops.size(), 41u);
-  const KoebeMap map = hexsweep::koebeMap(mesh.points, mesh.triangles, loops);
-  EXPECT_TRUE(map.converged);
-  EXPECT_LE(map.rounds.size(), 6u);
-  RecordProperty("rounds", static_cast<int>(map.rounds.size()));
-  EXPECT_LE(map.rounds.back().change, 1e-10);
-  expectCircleDomain(mesh, loops, map);
+  const KoebeMap map = expectSixRounds(mesh, loops);
   // The iteration has come to its end, not to a halt: more rounds change little.
   const KoebeMap more = hexsweep::koebeMap(mesh.points, mesh.triangles, loops, { 1e-24, 30 });
   EXPECT_LT(greatestDifference(map, more), 1e-4);
@@ -322,11 +328,7 @@ TEST(KoebeMap, FortySquareHoles)
   mesh.points = test::lifted(mesh.points, test::bump);
   const auto loops = test::loopsOf(mesh);
   ASSERT_EQ(loops.size(), 41u);
-  const KoebeMap map = hexsweep::koebeMap(mesh.points, mesh.triangles, loops);
-  EXPECT_TRUE(map.converged);
-  EXPECT_LE(map.rounds.size(), 6u);
-  RecordProperty("rounds", static_cast<int>(map.rounds.size()));
-  expectCircleDomain(mesh, loops, map);
+  expectSixRounds(mesh, loops);
 }
 
 TEST(KoebeMap, TheRecordOfTheRounds)

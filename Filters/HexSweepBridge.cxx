@@ -22,6 +22,7 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolygon.h>
+#include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
@@ -398,6 +399,34 @@ Progress pipelineProgress(vtkAlgorithm* self, double from, double to)
   return [self, from, to](double fraction) {
     self->UpdateProgress(from + (to - from) * std::min(std::max(fraction, 0.0), 1.0));
     return continues(self);
+  };
+}
+
+ParallelFor smpFor()
+{
+  return [](Index count, const std::function<void(Index)>& call) {
+    // An exception that leaves a thread would end the process.
+    std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
+    vtkSMPTools::For(0, count, 1, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        try
+        {
+          call(i);
+        }
+        catch (...)
+        {
+          failures[static_cast<std::size_t>(i)] = std::current_exception();
+        }
+      }
+    });
+    for (const std::exception_ptr& failure : failures)
+    {
+      if (failure)
+      {
+        std::rethrow_exception(failure);
+      }
+    }
   };
 }
 

@@ -8,6 +8,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Mesh.h"
+#include "Core/ParallelFor.h"
 
 #include <functional>
 #include <optional>
@@ -93,6 +94,9 @@ void addReport(vtkFieldData* fieldData, const char* name, const std::vector<doub
 
 /// Maps Core's progress in [0, 1] to the filter's progress in [from, to], and asks for aborts.
 Progress pipelineProgress(vtkAlgorithm* self, double from = 0.0, double to = 1.0);
+
+/// The threads of vtkSMPTools.
+ParallelFor smpFor();
 
 /**
  * Runs the body of a RequestData: what Core throws becomes one vtkErrorMacro on `self` and empty

@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Predicates.h"
 
+#include "ErrorFree.h"
+
 #include <array>
-#include <cmath>
 
 namespace hexsweep
 {
 namespace
 {
-struct TwoTerms
-{
-  double high;
-  double low;
-};
-
-TwoTerms exactSum(double a, double b)
-{
-  const double sum = a + b;
-  const double virtualB = sum - a;
-  const double virtualA = sum - virtualB;
-  return { sum, (a - virtualA) + (b - virtualB) };
-}
-
-TwoTerms exactProduct(double a, double b)
-{
-  const double product = a * b;
-  return { product, std::fma(a, b, -product) };
-}
-
 /// A sum of doubles that do not overlap, smallest first; grows one exact term at a time.
 class Expansion
 {

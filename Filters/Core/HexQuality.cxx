@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexQuality.h"
 
+#include "BezierHex.h"
+#include "BezierMinimum.h"
+#include "HexBatch.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace hexsweep
 {
@@ -115,18 +121,150 @@ HexQuality hexQuality(const HexCornersRef& corners)
   return quality;
 }
 
-std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes)
+namespace
+{
+// Of an even number of hexahedra, so that batches do not depend on the pieces.
+constexpr Index HexesPerPiece = 4096;
+
+// The coordinates of the eight corners of a hexahedron.
+using CornerPointers = std::array<const double*, 8>;
+
+double signedRoot(double square)
+{
+  return std::copysign(std::sqrt(std::min(std::abs(square), 1.0)), square);
+}
+
+// Whether the figures are as good as those of hexQuality() and within the error bound of the
+// certificate: no edge without length, nothing overflows or underflows.
+bool isInRange(const HexFigures<HexLanes>& figures, int lane)
+{
+  return figures.leastProduct[lane] >= LeastSquaredProduct &&
+    figures.edgeProduct[lane] <= GreatestSquaredProduct &&
+    figures.sumOfProducts[lane] <= GreatestSquaredProduct;
+}
+
+HexQuality qualityFromFigures(const HexFigures<HexLanes>& figures, int lane)
+{
+  HexQuality quality;
+  quality.scaledJacobian =
+    signedRoot(std::min(figures.scaledCorner[lane], figures.scaledCenter[lane]));
+  quality.insideOut = figures.greatestCorner[lane] < 0.0;
+  if (figures.scaledCorner[lane] <= 0.0)
+  {
+    quality.validity = Validity::InvertedCorner;
+  }
+  else if (figures.scaledCenter[lane] <= 0.0)
+  {
+    quality.validity = Validity::InvertedInside;
+  }
+  return quality;
+}
+
+// The certificate where the undivided coefficients give it, with a bound that is tight.
+std::optional<HexCertificate> certificateFromFigures(const HexFigures<HexLanes>& figures, int lane)
+{
+  const double error = BezierErrorBound * std::sqrt(figures.edgeProduct[lane]);
+  const double corner = figures.leastCorner[lane];
+  const double least = figures.leastCoefficient[lane];
+  const bool isTight = corner - least <= JacobianBoundTolerance * std::abs(corner);
+  if (isTight && least > error)
+  {
+    return HexCertificate{ Validity::Certified, least - error };
+  }
+  if (isTight && corner < -error)
+  {
+    return HexCertificate{ Validity::InvertedCorner, least - error };
+  }
+  return std::nullopt;
+}
+
+HexCorners copyOf(const CornerPointers& pointers)
+{
+  HexCorners corners;
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    corners.row(static_cast<Index>(i)) = Eigen::Map<const Vector>(pointers[i]);
+  }
+  return corners;
+}
+
+HexQuality qualityOf(
+  const HexFigures<HexLanes>& figures, int lane, const CornerPointers& corners, bool certify)
+{
+  const bool inRange = isInRange(figures, lane);
+  HexQuality quality = inRange ? qualityFromFigures(figures, lane) : hexQuality(copyOf(corners));
+  if (certify)
+  {
+    std::optional<HexCertificate> certificate;
+    if (inRange)
+    {
+      certificate = certificateFromFigures(figures, lane);
+    }
+    if (!certificate)
+    {
+      certificate = certifyHex(copyOf(corners));
+    }
+    quality.validity = certificate->validity;
+    quality.jacobianLowerBound = certificate->jacobianLowerBound;
+  }
+  return quality;
+}
+
+// Qualities of the hexahedra [begin, end). cornersOf(h) gives the pointers to the corners of one.
+template <typename CornersOf>
+void judge(Index begin, Index end, const CornersOf& cornersOf, bool certify, HexQuality* qualities)
+{
+  for (Index first = begin; first < end; first += HexBatchSize)
+  {
+    // The last batch is filled with repetitions of its first hexahedron.
+    std::array<CornerPointers, HexBatchSize> corners;
+    const double* pointers[8 * HexBatchSize];
+    for (int lane = 0; lane < HexBatchSize; ++lane)
+    {
+      const std::size_t l = static_cast<std::size_t>(lane);
+      corners[l] = cornersOf(first + lane < end ? first + lane : first);
+      std::copy(corners[l].begin(), corners[l].end(), pointers + 8 * lane);
+    }
+    const HexFigures<HexLanes> figures = measureHexes(pointers);
+    for (int lane = 0; lane < HexBatchSize && first + lane < end; ++lane)
+    {
+      qualities[first + lane] =
+        qualityOf(figures, lane, corners[static_cast<std::size_t>(lane)], certify);
+    }
+  }
+}
+}
+
+std::vector<HexQuality> hexQualities(
+  const PointsRef& points, const HexesRef& hexes, bool certify, const ParallelFor& parallelFor)
 {
   std::vector<HexQuality> qualities(static_cast<std::size_t>(hexes.rows()));
-  HexCorners corners;
-  for (Index h = 0; h < hexes.rows(); ++h)
-  {
+  const auto cornersOf = [&](Index h) {
+    CornerPointers pointers;
     for (int i = 0; i < 8; ++i)
     {
-      corners.row(i) = points.row(hexes(h, i));
+      pointers[static_cast<std::size_t>(i)] = points.data() + points.outerStride() * hexes(h, i);
     }
-    qualities[static_cast<std::size_t>(h)] = hexQuality(corners);
-  }
+    return pointers;
+  };
+  forPieces(parallelFor, hexes.rows(), HexesPerPiece,
+    [&](Index begin, Index end) { judge(begin, end, cornersOf, certify, qualities.data()); });
+  return qualities;
+}
+
+std::vector<HexQuality> hexQualities(const PointsRef& corners, bool certify)
+{
+  const Index hexes = corners.rows() / 8;
+  std::vector<HexQuality> qualities(static_cast<std::size_t>(hexes));
+  const auto cornersOf = [&corners](Index h) {
+    CornerPointers pointers;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      pointers[i] = corners.data() + corners.outerStride() * (8 * h + static_cast<Index>(i));
+    }
+    return pointers;
+  };
+  judge(0, hexes, cornersOf, certify, qualities.data());
   return qualities;
 }
 
@@ -139,8 +277,10 @@ void HexQualitySummary::add(const HexQuality& quality)
   ++hexes;
   inverted +=
     quality.validity == Validity::InvertedCorner || quality.validity == Validity::InvertedInside;
+  invertedInside += quality.validity == Validity::InvertedInside;
   insideOut += quality.insideOut;
   degenerate += quality.validity == Validity::Degenerate;
+  undecided += quality.validity == Validity::Undecided;
   notCertified += quality.validity != Validity::Certified;
   if (std::isfinite(quality.scaledJacobian))
   {
@@ -149,6 +289,11 @@ void HexQualitySummary::add(const HexQuality& quality)
     ++finiteHexes;
     sumScaledJacobian += quality.scaledJacobian;
     meanScaledJacobian = sumScaledJacobian / static_cast<double>(finiteHexes);
+  }
+  if (!(minJacobianLowerBound <= quality.jacobianLowerBound) &&
+    !std::isnan(quality.jacobianLowerBound))
+  {
+    minJacobianLowerBound = quality.jacobianLowerBound;
   }
 }
 

@@ -7,36 +7,26 @@
  * Verdict Geometric Quality Library", SAND2007-1751, section on hexahedra): the least, over the
  * eight corners and the centre, of the determinant of three edge vectors over the product of
  * their lengths. Positive corners do not prove that a hexahedron is valid everywhere: a corner
- * test alone can condemn, never acquit.
+ * test alone can condemn, never acquit. What acquits is the certificate (certifyHex()).
  */
 #ifndef hexsweep_HexQuality_h
 #define hexsweep_HexQuality_h
 
+#include "HexCertificate.h"
 #include "Mesh.h"
+#include "ParallelFor.h"
 
+#include <limits>
 #include <vector>
 
 namespace hexsweep
 {
-/// The corners of one hexahedron in VTK_HEXAHEDRON order, one a row.
-using HexCorners = Eigen::Matrix<double, 8, 3, Eigen::RowMajor>;
-using HexCornersRef = Eigen::Ref<const HexCorners>;
-
-/// What is known of a hexahedron; the numbers are those of the cell array `Validity`.
-enum class Validity : unsigned char
-{
-  Certified = 0,      ///< the Jacobian is positive at every point (proved)
-  InvertedCorner = 1, ///< the Jacobian of a corner is not positive
-  InvertedInside = 2, ///< positive corners, but not positive somewhere inside (proved)
-  Undecided = 3,      ///< positive corners, nothing proved
-  Degenerate = 4,     ///< an edge without length, or a coordinate that is not finite
-  NotJudged = 5       ///< not a hexahedron with straight edges
-};
-
 struct HexQuality
 {
   /// In [-1, 1]. 0 or less for an edge without length, not a number where a coordinate is not.
   double scaledJacobian = 0.0;
+  /// HexCertificate::jacobianLowerBound; not a number where no certificate was asked for.
+  double jacobianLowerBound = std::numeric_limits<double>::quiet_NaN();
   Validity validity = Validity::Undecided;
   /// All eight corner Jacobians are negative: the points are in left-handed order.
   bool insideOut = false;
@@ -46,7 +36,8 @@ struct HexQuality
 Eigen::Matrix<double, 8, 1> cornerJacobians(const HexCornersRef& corners);
 
 /**
- * Scaled Jacobian and verdict of one hexahedron.
+ * Scaled Jacobian of one hexahedron, and what corners and centre tell of its validity: never
+ * Certified.
  *
  * Verdict returns 1e30 for an edge whose squared length is below 1e-30, so that a collapsed
  * hexahedron looks perfect. Here such a corner has the scaled Jacobian 0, the hexahedron is
@@ -58,8 +49,13 @@ HexQuality hexQuality(const HexCornersRef& corners);
  * Quality of each hexahedron of a mesh, in order.
  *
  * @param points n x 3; @param hexes m x 8 ids in [0, n), VTK_HEXAHEDRON order.
+ * @param certify with the verdict and the bound of certifyHex(); otherwise as hexQuality().
  */
-std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes);
+std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes,
+  bool certify = true, const ParallelFor& parallelFor = {});
+
+/// The same for hexahedra that share no points. @param corners 8 m x 3, hexahedron by hexahedron.
+std::vector<HexQuality> hexQualities(const PointsRef& corners, bool certify = true);
 
 /// Counts and extremes over many hexahedra; those that are NotJudged do not count.
 struct HexQualitySummary
@@ -67,13 +63,18 @@ struct HexQualitySummary
   Index hexes = 0;
   /// InvertedCorner and InvertedInside.
   Index inverted = 0;
+  /// InvertedInside alone.
+  Index invertedInside = 0;
   Index insideOut = 0;
   Index degenerate = 0;
+  Index undecided = 0;
   /// Everything that is not Certified, the inverted and degenerate ones included.
   Index notCertified = 0;
   /// Over all hexahedra with finite coordinates; 0 when there are none.
   double minScaledJacobian = 0.0;
   double meanScaledJacobian = 0.0;
+  /// Over all hexahedra that have a bound; not a number when none has.
+  double minJacobianLowerBound = std::numeric_limits<double>::quiet_NaN();
 
   /// Adds one more. The order of the calls fixes the last bits of the mean.
   void add(const HexQuality& quality);

@@ -2,11 +2,15 @@
 // Corner Jacobians and scaled Jacobian against closed forms.
 #include "Core/HexQuality.h"
 
+#include "HexSamples.h"
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <random>
 
 namespace
 {
@@ -14,12 +18,7 @@ using hexsweep::HexCorners;
 using hexsweep::hexQuality;
 using hexsweep::Validity;
 
-HexCorners unitCube()
-{
-  HexCorners corners;
-  corners << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
-  return corners;
-}
+using test::unitCube;
 
 HexCorners transformed(const HexCorners& corners, const Eigen::Matrix3d& matrix)
 {
@@ -164,7 +163,10 @@ TEST(HexQuality, SummaryCountsEveryKind)
   EXPECT_EQ(summary.inverted, 2);
   EXPECT_EQ(summary.insideOut, 1);
   EXPECT_EQ(summary.degenerate, 1);
-  EXPECT_EQ(summary.notCertified, 4);
+  EXPECT_EQ(summary.notCertified, 3);
+  EXPECT_EQ(summary.undecided, 0);
+  EXPECT_EQ(summary.invertedInside, 0);
+  EXPECT_NEAR(summary.minJacobianLowerBound, -1.0, 1e-12);
   EXPECT_NEAR(summary.minScaledJacobian, -1.0, 1e-15);
   double sum = 0.0;
   for (const auto& quality : qualities)
@@ -173,4 +175,100 @@ TEST(HexQuality, SummaryCountsEveryKind)
   }
   EXPECT_NEAR(summary.meanScaledJacobian, sum / 4.0, 1e-15);
   EXPECT_EQ(hexsweep::summarize({}).hexes, 0);
+  EXPECT_TRUE(std::isnan(hexsweep::summarize({}).minJacobianLowerBound));
+}
+
+namespace
+{
+// An odd number of hexahedra of every kind: good and bad ones, with edges without length, lost,
+// and of sizes whose products leave the range of double.
+hexsweep::Points mixedHexes(int count)
+{
+  std::mt19937 generator(9);
+  hexsweep::Points corners(8 * count, 3);
+  for (int h = 0; h < count; ++h)
+  {
+    HexCorners hex = test::randomHex(generator);
+    if (h % 50 == 7)
+    {
+      hex.row(h % 8) = hex.row(h % 4 < 2 ? 1 : 2);
+    }
+    if (h % 50 == 11)
+    {
+      hex(h % 8, h % 3) = std::numeric_limits<double>::quiet_NaN();
+    }
+    if (h % 50 == 23)
+    {
+      hex *= h % 100 == 23 ? 1e-70 : 1e70;
+    }
+    if (h % 50 == 31)
+    {
+      hex(0, 0) = std::numeric_limits<double>::infinity();
+    }
+    corners.middleRows<8>(8 * h) = hex;
+  }
+  return corners;
+}
+
+bool isSame(double a, double b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+}
+
+TEST(HexQualities, BatchesSayWhatSingleHexesDo)
+{
+  const int count = 5001;
+  const hexsweep::Points corners = mixedHexes(count);
+  const auto certified = hexsweep::hexQualities(corners);
+  const auto plain = hexsweep::hexQualities(corners, false);
+  ASSERT_EQ(certified.size(), 5001u);
+  for (int h = 0; h < count; ++h)
+  {
+    const HexCorners hex = corners.middleRows<8>(8 * h);
+    const auto single = hexQuality(hex);
+    const auto certificate = hexsweep::certifyHex(hex);
+    const auto& quality = certified[static_cast<std::size_t>(h)];
+    const auto& uncertified = plain[static_cast<std::size_t>(h)];
+    ASSERT_EQ(quality.validity, certificate.validity) << "hexahedron " << h;
+    ASSERT_TRUE(isSame(quality.jacobianLowerBound, certificate.jacobianLowerBound) ||
+      std::abs(quality.jacobianLowerBound - certificate.jacobianLowerBound) <=
+        0.011 * std::abs(certificate.jacobianLowerBound))
+      << "hexahedron " << h << ": " << quality.jacobianLowerBound << ", "
+      << certificate.jacobianLowerBound;
+    ASSERT_EQ(uncertified.validity, single.validity) << "hexahedron " << h;
+    ASSERT_TRUE(std::isnan(uncertified.jacobianLowerBound));
+    ASSERT_EQ(quality.insideOut, single.insideOut) << "hexahedron " << h;
+    ASSERT_TRUE(isSame(quality.scaledJacobian, single.scaledJacobian) ||
+      std::abs(quality.scaledJacobian - single.scaledJacobian) < 1e-14)
+      << "hexahedron " << h << ": " << quality.scaledJacobian << ", " << single.scaledJacobian;
+    ASSERT_TRUE(isSame(quality.scaledJacobian, uncertified.scaledJacobian));
+  }
+}
+
+TEST(HexQualities, MeshAndThreadsGiveTheSameBits)
+{
+  const int count = 9001;
+  const hexsweep::Points corners = mixedHexes(count);
+  hexsweep::Hexes hexes(count, 8);
+  for (hexsweep::Index i = 0; i < hexes.size(); ++i)
+  {
+    hexes(i / 8, i % 8) = i;
+  }
+  const auto backwards = [](hexsweep::Index pieces,
+                           const std::function<void(hexsweep::Index)>& call) {
+    EXPECT_GT(pieces, 1);
+    for (hexsweep::Index p = pieces; p-- > 0;)
+    {
+      call(p);
+    }
+  };
+  const auto alone = hexsweep::hexQualities(corners);
+  const auto mesh = hexsweep::hexQualities(corners, hexes, true, backwards);
+  for (std::size_t h = 0; h < alone.size(); ++h)
+  {
+    ASSERT_TRUE(isSame(alone[h].scaledJacobian, mesh[h].scaledJacobian)) << h;
+    ASSERT_TRUE(isSame(alone[h].jacobianLowerBound, mesh[h].jacobianLowerBound)) << h;
+    ASSERT_EQ(alone[h].validity, mesh[h].validity) << h;
+  }
 }

@@ -40,6 +40,22 @@ namespace hexsweep
  */
 Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
   const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
+
+/**
+ * The same for caps that bulge in different ways: what they do not share does not go through the
+ * whole volume.
+ *
+ * Each cap is split into the harmonic surface in its loops (on the cap's own quads, see
+ * quadLaplacian()) and the bulge on top of it. Where the bulges of both caps, each carried to the
+ * other by the affine map of the loops, point the same way, the shorter is common to both and is
+ * blended with the harmonic surfaces as blendInterior() blends the caps. The rest is a
+ * harmonic function on the prism, zero on the linking sides and at the other cap, with layers a
+ * quarter as high, in the frame of the layer's affine map.
+ *
+ * What blendInterior() reproduces this reproduces too.
+ */
+Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
 }
 
 #endif

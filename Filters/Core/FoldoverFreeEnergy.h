@@ -97,6 +97,18 @@ Distortion<Dim> distortion(
   return result;
 }
 
+/// The value alone.
+template <int Dim>
+double distortionValue(
+  const Eigen::Matrix<double, Dim, Dim>& jacobian, double epsilon, double theta)
+{
+  const double det = jacobian.determinant();
+  const double chi = regularized(det, epsilon);
+  const double power = Dim == 2 ? chi : std::cbrt(chi * chi);
+  return (1.0 - theta) * jacobian.squaredNorm() / (Dim * power) +
+    theta * (1.0 + det * det) / (2.0 * chi);
+}
+
 /**
  * The next regularisation after a descent that lowered the energy from `before` to `after` and
  * left `leastDeterminant` (equation (6)): it follows the worst element down to zero.

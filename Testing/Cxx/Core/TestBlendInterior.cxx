@@ -10,6 +10,7 @@
 namespace
 {
 using hexsweep::blendInterior;
+using hexsweep::fadingBlendInterior;
 using hexsweep::Index;
 using hexsweep::Points;
 using test::Sweep;
@@ -18,31 +19,37 @@ using test::Sweep;
 TEST(BlendInterior, AffineSweepsAreExact)
 {
   test::expectAffineSweepsExact(blendInterior);
+  test::expectAffineSweepsExact(fadingBlendInterior);
 }
 
 TEST(BlendInterior, AnySizeAnywhere)
 {
   test::expectAnySizeAnywhere(blendInterior);
+  test::expectAnySizeAnywhere(fadingBlendInterior);
 }
 
 TEST(BlendInterior, SimilaritySweepsOfACurvedCapAreExact)
 {
   test::expectSimilaritySweepOfACurvedCapExact(blendInterior);
+  test::expectSimilaritySweepOfACurvedCapExact(fadingBlendInterior);
 }
 
 TEST(BlendInterior, BoundaryIsKeptBitForBit)
 {
   test::expectBoundaryBitForBit(blendInterior);
+  test::expectBoundaryBitForBit(fadingBlendInterior);
 }
 
 TEST(BlendInterior, NearlyPlanarLoopsAreTame)
 {
   test::expectNearlyPlanarLoopsTame(blendInterior);
+  test::expectNearlyPlanarLoopsTame(fadingBlendInterior);
 }
 
 TEST(BlendInterior, UnusedPointsGoStraight)
 {
   test::expectUnusedPointsOnStraightLines(blendInterior);
+  test::expectUnusedPointsOnStraightLines(fadingBlendInterior);
 }
 
 TEST(BlendInterior, CorrectionIsTheHarmonicExtensionOfTheBoundaryError)
@@ -133,4 +140,71 @@ TEST(BlendInterior, AbortsAndRefusesAVolumeWithoutHeight)
     [](double x, double y, double) { return Eigen::RowVector3d(x, y, 0); });
   // Rings that coincide weld into one: refused while tracing.
   EXPECT_THROW(test::run(blendInterior, flat), hexsweep::InvalidInput);
+}
+
+namespace
+{
+/// A bulge of the cap that is not there on its boundary.
+double bulge(double x, double y)
+{
+  return 0.4 * x * (2 - x) * y * (1 - y) * 4;
+}
+
+/// Height of the middle node of the cap on each layer over the plane between the loops.
+std::vector<double> middleHeights(const Sweep& sweep, const Points& points)
+{
+  const Index n = sweep.source.rows();
+  Index middle = 0;
+  ((sweep.cap.rowwise() - Eigen::RowVector2d(1.0, 0.5)).rowwise().norm()).minCoeff(&middle);
+  std::vector<double> heights;
+  for (Index k = 0; k <= sweep.numberOfLayers; ++k)
+  {
+    const double t = static_cast<double>(k) / static_cast<double>(sweep.numberOfLayers);
+    heights.push_back(points(k * n + middle, 2) - 6.0 * t);
+  }
+  return heights;
+}
+}
+
+TEST(BlendInterior, BulgesThatBothCapsShareGoThroughAndOthersFade)
+{
+  const auto sweepWith = [](double atSource, double atTarget) {
+    return test::makeSweep(12, 9, false, test::evenLayers(12), [=](double x, double y, double t) {
+      return Eigen::RowVector3d(x, y, 6.0 * t + ((1 - t) * atSource + t * atTarget) * bulge(x, y));
+    });
+  };
+  const Sweep same = sweepWith(1, 1);
+  const std::vector<double> kept = middleHeights(same, test::run(fadingBlendInterior, same));
+  for (const double height : kept)
+  {
+    EXPECT_NEAR(height, kept[0], 1e-12);
+  }
+  // Only one cap bulges: in the blend the height falls linearly, else faster than that.
+  const Sweep one = sweepWith(1, 0);
+  const std::vector<double> linear = middleHeights(one, test::run(blendInterior, one));
+  const std::vector<double> fading = middleHeights(one, test::run(fadingBlendInterior, one));
+  for (std::size_t k = 1; k < 12; ++k)
+  {
+    EXPECT_NEAR(linear[k], linear[0] * (1.0 - static_cast<double>(k) / 12.0), 1e-12);
+    EXPECT_LT(fading[k], 0.95 * linear[k]);
+    EXPECT_GT(fading[k], 0.0);
+  }
+  // Opposite bulges share nothing: zero half way.
+  const Sweep lens = sweepWith(1, -1);
+  EXPECT_NEAR(middleHeights(lens, test::run(fadingBlendInterior, lens))[6], 0.0, 1e-12);
+}
+
+TEST(BlendInterior, LoopsThatFlattenDoNotSpoilFadingBulges)
+{
+  // The affine map from a ring that is not planar to one that is has no inverse.
+  const Sweep sweep =
+    test::makeSweep(12, 9, false, test::evenLayers(8), [](double x, double y, double t) {
+      return Eigen::RowVector3d(
+        x, y, 6.0 * t + (1 - t) * 0.3 * ((x - 1) * (x - 1) - (y - 0.5) * (y - 0.5)));
+    });
+  const Points swept = test::run(fadingBlendInterior, sweep);
+  EXPECT_EQ(
+    hexsweep::summarize(hexsweep::hexQualities(swept, hexsweep::sweptHexes(sweep.quads, swept, 8)))
+      .notCertified,
+    0);
 }

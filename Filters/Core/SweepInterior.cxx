@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SweepInterior.h"
+
+#include "Errors.h"
+#include "HexPolishing.h"
+#include "HexUntangling.h"
+#include "SweptBoxes.h"
+#include "SweptHexes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace hexsweep
+{
+namespace
+{
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+struct Candidate
+{
+  Points points;
+  Hexes hexes;
+  HexQualitySummary quality;
+  std::string method;
+
+  bool betterThan(const Candidate& other) const
+  {
+    return quality.notCertified != other.quality.notCertified
+      ? quality.notCertified < other.quality.notCertified
+      : quality.minScaledJacobian > other.quality.minScaledJacobian;
+  }
+};
+
+std::vector<bool> fixedNodes(const SweepCage& cage)
+{
+  const Index n = cage.source.rows();
+  const Index layers = cage.boundary.numberOfLayers();
+  std::vector<bool> fixed(static_cast<std::size_t>((layers + 1) * n), false);
+  std::fill(fixed.begin(), fixed.begin() + n, true);
+  std::fill(fixed.end() - n, fixed.end(), true);
+  for (Index k = 1; k < layers; ++k)
+  {
+    for (const Index i : cage.boundary.nodes)
+    {
+      fixed[static_cast<std::size_t>(k * n + i)] = true;
+    }
+  }
+  return fixed;
+}
+
+class Cascade
+{
+public:
+  Cascade(const SweepCage& cage, const InteriorOptions& options)
+    : Cage(cage)
+    , Options(options)
+    , Fixed(fixedNodes(cage))
+  {
+  }
+
+  Candidate start(const InteriorStart& start, const Progress& progress)
+  {
+    const Stopwatch watch;
+    Candidate candidate;
+    candidate.points = start.method(this->Cage, progress);
+    candidate.hexes =
+      sweptHexes(this->Cage.quads, candidate.points, this->Cage.boundary.numberOfLayers());
+    candidate.method = start.name;
+    if (this->Options.ensureValid || this->Options.polishingRounds > 0)
+    {
+      this->measure(candidate);
+    }
+    this->finish(start.name, candidate.quality.notCertified, 0, watch);
+    return candidate;
+  }
+
+  void untangle(Candidate& candidate, const Progress& progress)
+  {
+    const Stopwatch watch;
+    UntangledHexes untangled = untangleHexes(candidate.points, candidate.hexes,
+      sweptBoxes(candidate.points, this->Cage.quads, this->Cage.boundary), this->Fixed, progress);
+    candidate.points = std::move(untangled.points);
+    candidate.method += " + untangling";
+    this->measure(candidate);
+    this->finish("Untangling", untangled.after, untangled.before - untangled.after, watch);
+  }
+
+  void keepBetter(Candidate&& candidate)
+  {
+    if (!this->Best || candidate.betterThan(*this->Best))
+    {
+      this->Best = std::move(candidate);
+    }
+  }
+
+  /// Nothing is left that inner nodes could cure.
+  bool isDone(const Candidate& candidate) const
+  {
+    return candidate.quality.notCertified == 0 ||
+      candidate.quality.notCertified <=
+      static_cast<Index>(
+        fixedCorners(candidate.points, candidate.hexes, this->Fixed).conflicts.size());
+  }
+
+  void polish(const Progress& progress)
+  {
+    const Stopwatch watch;
+    const Index before = this->Best->quality.notCertified;
+    PolishedHexes polished = polishHexes(this->Best->points, this->Best->hexes, this->Fixed,
+      this->Options.polishingRounds, this->Options.parallelFor, progress);
+    this->Best->points = std::move(polished.points);
+    this->Best->method += " + polish";
+    this->measure(*this->Best);
+    this->finish(
+      "Polish", this->Best->quality.notCertified, before - this->Best->quality.notCertified, watch);
+  }
+
+  SweepInterior result() &&
+  {
+    SweepInterior result;
+    result.fixed = fixedCorners(this->Best->points, this->Best->hexes, this->Fixed);
+    result.points = std::move(this->Best->points);
+    result.hexes = std::move(this->Best->hexes);
+    result.method = std::move(this->Best->method);
+    result.steps = std::move(this->Steps);
+    return result;
+  }
+
+private:
+  void measure(Candidate& candidate) const
+  {
+    candidate.quality =
+      summarize(hexQualities(candidate.points, candidate.hexes, true, this->Options.parallelFor));
+  }
+  void finish(const std::string& name, Index notCertified, Index mended, const Stopwatch& watch)
+  {
+    this->Steps.push_back({ name, notCertified, mended, watch.seconds() });
+  }
+
+  const SweepCage& Cage;
+  const InteriorOptions& Options;
+  std::vector<bool> Fixed;
+  std::optional<Candidate> Best;
+  std::vector<InteriorStep> Steps;
+};
+
+constexpr double PolishingShare = 0.4;
+}
+
+SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorStart>& starts,
+  const InteriorOptions& options, const Progress& progress)
+{
+  Cascade cascade(cage, options);
+  const double share =
+    (1.0 - PolishingShare) / (options.ensureValid ? static_cast<double>(starts.size()) : 1.0);
+  bool done = false;
+  for (std::size_t s = 0; s < starts.size() && !done; ++s)
+  {
+    const double from = static_cast<double>(s) * share;
+    try
+    {
+      Candidate candidate =
+        cascade.start(starts[s], progressPart(progress, from, from + 0.5 * share));
+      if (options.ensureValid && !cascade.isDone(candidate))
+      {
+        cascade.untangle(candidate, progressPart(progress, from + 0.5 * share, from + share));
+      }
+      done = !options.ensureValid || cascade.isDone(candidate);
+      cascade.keepBetter(std::move(candidate));
+    }
+    catch (const SolverFailure&)
+    {
+      if (s == 0)
+      {
+        throw;
+      }
+    }
+  }
+  if (options.polishingRounds > 0)
+  {
+    cascade.polish(progressPart(progress, 1.0 - PolishingShare, 1.0));
+  }
+  reportProgress(progress, 1.0);
+  return std::move(cascade).result();
+}
+}

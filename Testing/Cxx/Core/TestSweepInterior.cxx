@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/SweepInterior.h"
+
+#include "Core/BlendInterior.h"
+#include "Core/Errors.h"
+#include "HexBlocks.h"
+#include "InteriorTests.h"
+
+namespace
+{
+using hexsweep::InteriorOptions;
+using hexsweep::InteriorStart;
+using hexsweep::Progress;
+using hexsweep::SweepCage;
+using test::Index;
+using test::Points;
+
+SweepCage cageOf(const test::Sweep& sweep)
+{
+  return { sweep.source, sweep.target, sweep.quads, test::boundaryOf(sweep) };
+}
+
+InteriorStart blend()
+{
+  return { "Blend", [](const SweepCage& cage, const Progress& progress) {
+            return hexsweep::blendInterior(
+              cage.source, cage.target, cage.quads, cage.boundary, progress);
+          } };
+}
+
+Index inner(const SweepCage& cage)
+{
+  Index i = 0;
+  while (std::count(cage.boundary.nodes.begin(), cage.boundary.nodes.end(), i) > 0)
+  {
+    ++i;
+  }
+  return i;
+}
+
+/// Blend with an inner node of layer 3 thrown far away.
+InteriorStart spoilt()
+{
+  return { "Spoilt", [](const SweepCage& cage, const Progress& progress) {
+            Points points = blend().method(cage, progress);
+            points(3 * cage.source.rows() + inner(cage), 0) += 0.7;
+            return points;
+          } };
+}
+
+InteriorOptions unpolished()
+{
+  InteriorOptions options;
+  options.polishingRounds = 0;
+  return options;
+}
+}
+
+TEST(SweepInterior, AValidStartIsReturnedAsItIs)
+{
+  const SweepCage cage =
+    cageOf(test::makeSweep(12, 9, true, test::evenLayers(6), test::bendingMotion));
+  const auto result = hexsweep::sweepInterior(cage, { blend(), spoilt() }, unpolished());
+  EXPECT_EQ(result.points, blend().method(cage, {}));
+  EXPECT_EQ(result.method, "Blend");
+  ASSERT_EQ(result.steps.size(), 1u);
+  EXPECT_EQ(result.steps[0].notCertified, 0);
+}
+
+TEST(SweepInterior, WhatIsNotValidIsUntangled)
+{
+  const SweepCage cage =
+    cageOf(test::makeSweep(12, 9, true, test::evenLayers(6), test::bendingMotion));
+  const auto result = hexsweep::sweepInterior(cage, { spoilt(), blend() }, unpolished());
+  EXPECT_EQ(result.method, "Spoilt + untangling");
+  ASSERT_EQ(result.steps.size(), 2u);
+  EXPECT_GT(result.steps[0].notCertified, 0);
+  EXPECT_EQ(result.steps[1].mended, result.steps[0].notCertified);
+  EXPECT_EQ(test::judge(result.points, result.hexes).notCertified, 0);
+
+  InteriorOptions raw = unpolished();
+  raw.ensureValid = false;
+  const auto left = hexsweep::sweepInterior(cage, { spoilt(), blend() }, raw);
+  EXPECT_EQ(left.method, "Spoilt");
+  EXPECT_EQ(left.points, spoilt().method(cage, {}));
+}
+
+TEST(SweepInterior, TheBestStartIsKept)
+{
+  const test::Sweep sweep = test::makeSweep(12, 9, false, test::evenLayers(6),
+    [](double x, double y, double t) { return Eigen::RowVector3d(x, y, 2 * t); });
+  SweepCage cage = cageOf(sweep);
+  // A ring that collapses cannot be mended.
+  for (const Index j : { 0, 1, 2 })
+  {
+    cage.boundary.rings[3].row(j) = cage.boundary.rings[3].row(3);
+  }
+  const InteriorStart collapsed{ "Collapsed", [](const SweepCage& c, const Progress&) {
+                                  Points points = Points::Zero(7 * c.source.rows(), 3);
+                                  hexsweep::setGivenPoints(
+                                    c.source, c.target, c.quads, c.boundary, points);
+                                  return points;
+                                } };
+  const InteriorStart failing{ "Failing", [](const SweepCage&, const Progress&) -> Points {
+                                throw hexsweep::SolverFailure("no solution");
+                              } };
+  const auto worth = [&](const std::vector<InteriorStart>& starts) {
+    const auto result = hexsweep::sweepInterior(cage, starts, unpolished());
+    const auto summary = test::judge(result.points, result.hexes);
+    return std::make_pair(-summary.notCertified, summary.minScaledJacobian);
+  };
+  const auto both = worth({ collapsed, failing, blend() });
+  EXPECT_LT(both.first, 0);
+  EXPECT_EQ(both, std::max(worth({ collapsed }), worth({ blend() })));
+  EXPECT_NE(worth({ collapsed }), worth({ blend() }));
+  EXPECT_THROW(worth({ failing, blend() }), hexsweep::SolverFailure);
+}
+
+TEST(SweepInterior, PolishIsTheLastStepAndNeverLowersTheMinimum)
+{
+  const SweepCage cage =
+    cageOf(test::makeSweep(12, 9, true, test::evenLayers(6), test::bendingMotion));
+  const auto raw = hexsweep::sweepInterior(cage, { blend() }, unpolished());
+  const auto polished = hexsweep::sweepInterior(cage, { blend() }, {});
+  EXPECT_EQ(polished.method, "Blend + polish");
+  EXPECT_EQ(polished.steps.back().name, "Polish");
+  const auto was = test::judge(raw.points, raw.hexes);
+  const auto is = test::judge(polished.points, polished.hexes);
+  EXPECT_GE(is.minScaledJacobian, was.minScaledJacobian);
+  EXPECT_GT(is.meanScaledJacobian, was.meanScaledJacobian);
+  EXPECT_EQ(is.notCertified, 0);
+}
+
+TEST(SweepInterior, ProgressRisesAndAnAbortStopsTheWork)
+{
+  const SweepCage cage =
+    cageOf(test::makeSweep(12, 9, true, test::evenLayers(6), test::bendingMotion));
+  double last = 0.0;
+  hexsweep::sweepInterior(cage, { spoilt() }, {}, [&](double done) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1.0);
+    last = done;
+    return true;
+  });
+  EXPECT_EQ(last, 1.0);
+  for (const double stop : { 0.1, 0.5, 0.7 })
+  {
+    EXPECT_THROW(
+      hexsweep::sweepInterior(cage, { spoilt() }, {}, [&](double done) { return done < stop; }),
+      hexsweep::Aborted);
+  }
+}

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace hexsweep
 {
@@ -67,7 +68,8 @@ ImprovedQuads untangleQuads(
     const std::vector<Eigen::Matrix2d> inverse = inverseReferences(cap, shape, source, points);
     Points current = points;
     double epsilon = FirstEpsilon;
-    CornerQuality reached = cap.measure(points);
+    // Not the start's: the first descent may well invert more before it mends them.
+    std::optional<CornerQuality> reached;
     int stagnant = 0;
     for (int round = 0; round < MaximumRounds && stagnant < StagnantRounds; ++round)
     {
@@ -88,10 +90,13 @@ ImprovedQuads untangleQuads(
       {
         return best;
       }
-      const bool progressed = isProgress(quality, reached) ||
+      const bool progressed = !reached || isProgress(quality, *reached) ||
         step.before - step.after > LeastDecrease * std::abs(step.before);
       stagnant = progressed ? 0 : stagnant + 1;
-      reached = isProgress(quality, reached) ? quality : reached;
+      if (!reached || isProgress(quality, *reached))
+      {
+        reached = quality;
+      }
       epsilon = nextEpsilon(
         epsilon, leastDeterminant(cap, inverse, current), step.before, step.after, LeastRate);
     }

@@ -74,11 +74,11 @@ public:
     const Stopwatch watch;
     Candidate candidate;
     candidate.points = start.method(this->Cage, progress);
-    candidate.hexes =
-      sweptHexes(this->Cage.quads, candidate.points, this->Cage.boundary.numberOfLayers());
     candidate.method = start.name;
     if (this->Options.ensureValid || this->Options.polishingRounds > 0)
     {
+      candidate.hexes =
+        sweptHexes(this->Cage.quads, candidate.points, this->Cage.boundary.numberOfLayers());
       this->measure(candidate);
     }
     this->finish(start.name, candidate.quality.notCertified, 0, watch);
@@ -131,7 +131,6 @@ public:
     SweepInterior result;
     result.fixed = fixedCorners(this->Best->points, this->Best->hexes, this->Fixed);
     result.points = std::move(this->Best->points);
-    result.hexes = std::move(this->Best->hexes);
     result.method = std::move(this->Best->method);
     result.steps = std::move(this->Steps);
     return result;

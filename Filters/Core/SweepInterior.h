@@ -46,7 +46,7 @@ struct InteriorOptions
 struct InteriorStep
 {
   std::string name;
-  /// Hexahedra that are not Certified after it.
+  /// Hexahedra that are not Certified after it; 0 where nobody looked.
   Index notCertified;
   /// How many fewer they are than before the step; 0 for a start.
   Index mended;
@@ -55,11 +55,13 @@ struct InteriorStep
 
 struct SweepInterior
 {
+  /// (L + 1) n x 3, row k n + i is source point i on layer k.
   Points points;
-  Hexes hexes;
   /// The start that was kept and what followed, e.g. "Blend + untangling + polish".
   std::string method;
   std::vector<InteriorStep> steps;
+  /// Of the hexahedra of sweptHexes(). Not looked for where nothing was to be untangled or
+  /// polished.
   FixedCorners fixed;
 };
 

@@ -143,18 +143,18 @@ BezierCoefficients<Number> bezierCoefficients(const HexEdges<Number>& e)
 
 /**
  * Rounding error of double coefficients, as a multiple of the greatest lengths of the u, the v and
- * the w edges multiplied, after at most 100 bisections.
+ * the w edges multiplied, after at most 400 bisections.
  *
  * In units of 2^-53 M, where M bounds the sum of the magnitudes of the six products of a
  * determinant of edges: 8 for a corner (three differences, which are rounded once however far from
  * the origin, and five operations on each product); 40 for the sum of four determinants at the
  * middle of an edge, 34 for its coefficient, 85 for that of a face, 214 for the centre; two more
  * with each bisection. M is at most the product of the 1-norms, 3^(3/2) times that of the lengths:
- * 414 * 5.2 < 2200, and some for the rounding of the lengths and terms of second order.
+ * 1014 * 5.2 < 5300, and some for the rounding of the lengths and terms of second order.
  *
  * Holds where nothing overflows, and underflow is too small to matter: see LeastSquaredProduct.
  */
-constexpr double BezierErrorBound = 2500 * (std::numeric_limits<double>::epsilon() / 2);
+constexpr double BezierErrorBound = 6000 * (std::numeric_limits<double>::epsilon() / 2);
 
 /// The square of a product of three lengths within which BezierErrorBound holds: 1e-33 to 1e33 of
 /// any unit. Beyond, the hexahedron must be scaled.

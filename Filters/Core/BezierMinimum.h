@@ -26,7 +26,9 @@ struct JacobianMinimum
 /// The bound is refined until it is within this fraction of the least value found.
 constexpr double JacobianBoundTolerance = 0.01;
 /// ... or so many bisections have been made.
-constexpr int GreatestNumberOfBisections = 100;
+constexpr int GreatestNumberOfBisections = 400;
+/// Exact numbers take a thousand times as long.
+constexpr int GreatestNumberOfExactBisections = 100;
 
 /// The value rounded, with the exact sign.
 inline double toDouble(double value)
@@ -119,9 +121,10 @@ JacobianMinimum boundMinimum(const BezierCoefficients<Number>& coefficients, dou
   const auto isGreater = [](const BezierBox<Number>& a, const BezierBox<Number>& b) {
     return a.lowerBound > b.lowerBound;
   };
+  const int bisections = error > 0.0 ? GreatestNumberOfBisections : GreatestNumberOfExactBisections;
   std::vector<BezierBox<Number>> boxes{ BezierBox<Number>(coefficients) };
   double sample = boxes.front().sample;
-  for (int bisection = 0; bisection < GreatestNumberOfBisections; ++bisection)
+  for (int bisection = 0; bisection < bisections; ++bisection)
   {
     const double lowerBound = boxes.front().lowerBound;
     const bool isTight = sample - lowerBound <= JacobianBoundTolerance * std::abs(sample);

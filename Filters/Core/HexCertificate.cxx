@@ -14,8 +14,8 @@ namespace hexsweep
 {
 namespace
 {
-// Products of three differences of coordinates in [2^-250, 1], with all their digits and after 100
-// bisections, are far from underflow.
+// Products of three differences of coordinates in [2^-250, 1], with all their digits and bisected
+// as often as they are, are far from underflow.
 constexpr int LeastExponent = -250;
 
 template <typename Number>
@@ -52,6 +52,8 @@ struct Judgement
   /// Nothing where rounding, or the number of bisections, does not allow to tell.
   std::optional<Validity> validity;
   double jacobianLowerBound;
+  /// Whether exact numbers may tell more.
+  bool isRounded;
 };
 
 /// @param error bound of the rounding error of the coefficients; 0 means that they are exact.
@@ -63,7 +65,9 @@ Judgement judge(const BezierCoefficients<Number>& coefficients, double error)
   };
   const double leastCorner = BezierBox<Number>(coefficients).sample;
   const JacobianMinimum minimum = boundMinimum(coefficients, error);
-  Judgement judgement{ std::nullopt, minimum.lowerBound - error };
+  const bool isAwayFromZero =
+    leastCorner > error && minimum.sample > error && minimum.lowerBound < -error;
+  Judgement judgement{ std::nullopt, minimum.lowerBound - error, !isAwayFromZero };
   if (isNotPositive(leastCorner))
   {
     judgement.validity = Validity::InvertedCorner;
@@ -85,7 +89,7 @@ Judgement judgeRounded(const HexCornersRef& corners)
   const double squared = squaredProduct(edges);
   if (!(squared >= LeastSquaredProduct && squared <= GreatestSquaredProduct))
   {
-    return { std::nullopt, -std::numeric_limits<double>::infinity() };
+    return { std::nullopt, -std::numeric_limits<double>::infinity(), true };
   }
   return judge(bezierCoefficients(edges), BezierErrorBound * std::sqrt(squared));
 }
@@ -102,7 +106,7 @@ Judgement judgeExactly(const HexCornersRef& corners)
       {
         if (toDouble(edges.cornerJacobian(i, j, k)) <= 0.0)
         {
-          return { Validity::InvertedCorner, -std::numeric_limits<double>::infinity() };
+          return { Validity::InvertedCorner, -std::numeric_limits<double>::infinity(), false };
         }
       }
     }
@@ -118,12 +122,12 @@ Judgement judgeScaled(const HexCornersRef& corners, int exponent)
   const Judgement rounded = judgeRounded(scaled);
   const double least = std::ldexp(1.0, LeastExponent);
   const bool isExact = (corners.array() == 0.0 || scaled.array().abs() >= least).all();
-  if (rounded.validity || !isExact)
+  if (rounded.validity || !rounded.isRounded || !isExact)
   {
     return rounded;
   }
   const Judgement exact = judgeExactly(scaled);
-  return { exact.validity, std::max(rounded.jacobianLowerBound, exact.jacobianLowerBound) };
+  return { exact.validity, std::max(rounded.jacobianLowerBound, exact.jacobianLowerBound), false };
 }
 }
 
@@ -134,7 +138,7 @@ HexCertificate certifyHex(const HexCornersRef& corners)
     return { Validity::Degenerate, std::numeric_limits<double>::quiet_NaN() };
   }
   Judgement judgement = judgeRounded(corners);
-  if (!judgement.validity)
+  if (!judgement.validity && judgement.isRounded)
   {
     int exponent = 0;
     std::frexp(corners.cwiseAbs().maxCoeff(), &exponent);

@@ -31,8 +31,8 @@ struct HexCertificate
   /**
    * A bound of the least value of det J over the hexahedron from below (length^3), J the derivative
    * of the trilinear map of the unit cube: the volume, for a box. Never above the minimum; below it
-   * by at most 1 % of its magnitude and 3e-13 of the product of the greatest lengths of its edges
-   * in the three directions, but where 100 bisections are not enough (the minimum is nearly zero
+   * by at most 1 % of its magnitude and 2e-12 of the product of the greatest lengths of its edges
+   * in the three directions, but where 400 bisections are not enough (the minimum is nearly zero
    * then). Not a number for Degenerate.
    */
   double jacobianLowerBound;
@@ -44,8 +44,9 @@ struct HexCertificate
  *
  * The verdicts are about the coordinates as they are stored, in exact arithmetic: a rounding error
  * bound decides nearly always, and what it leaves open is done again with exact numbers. Undecided
- * is left where the Jacobian touches zero between the points of the bisections, or where the
- * magnitudes of the coordinates are too far apart for exact numbers (by 2^250).
+ * is left where the Jacobian touches zero between the points of the bisections or comes so near to
+ * it that they are too many, or where the magnitudes of the coordinates are too far apart for exact
+ * numbers (by 2^250).
  */
 HexCertificate certifyHex(const HexCornersRef& corners);
 }

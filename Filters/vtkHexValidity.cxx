@@ -3,26 +3,24 @@
 
 #include "Core/HexQuality.h"
 #include "HexSweepBridge.h"
+#include "HexSweepHexReader.h"
+#include "HexSweepQualityArrays.h"
 
 #include <vtkCellData.h>
-#include <vtkCellType.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkSMPThreadLocalObject.h>
-#include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkHexValidity);
@@ -30,135 +28,138 @@ vtkStandardNewMacro(vtkHexValidity);
 namespace
 {
 using hexsweep::HexQuality;
+using hexsweep::HexReader;
+using hexsweep::Index;
+using hexsweep::QualityArrays;
 using hexsweep::Validity;
 
 constexpr vtkIdType NumberOfNamedCells = 10;
-// Between two of these portions progress is shown and an abort is heard.
-constexpr vtkIdType CellsPerPortion = 1 << 18;
+// Between two portions progress is shown and an abort is heard; a portion is shared by the threads
+// in pieces.
+constexpr Index CellsPerPortion = 1 << 16;
+constexpr Index CellsPerPiece = 1 << 10;
 
-// Corners of a voxel in the order of a hexahedron.
-constexpr int VoxelCorners[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
-
-bool isJudged(int cellType)
+HexQuality notJudged()
 {
-  return cellType == VTK_HEXAHEDRON || cellType == VTK_VOXEL;
+  HexQuality quality;
+  quality.scaledJacobian = std::numeric_limits<double>::quiet_NaN();
+  quality.validity = Validity::NotJudged;
+  return quality;
 }
 
-hexsweep::HexCorners cornersOf(vtkDataSet* data, vtkIdType cell, int type, vtkIdList* ids)
+/// Writes the qualities of the cells [begin, end) to an array that starts with cell begin.
+void judgePiece(HexReader& reader, Index begin, Index end, HexQuality* qualities)
 {
-  data->GetCellPoints(cell, ids);
-  hexsweep::HexCorners corners;
-  for (int i = 0; i < 8; ++i)
+  std::vector<Index> hexes;
+  hexes.reserve(static_cast<std::size_t>(end - begin));
+  hexsweep::Points corners(8 * (end - begin), 3);
+  for (Index cell = begin; cell < end; ++cell)
   {
-    const int corner = type == VTK_VOXEL ? VoxelCorners[i] : i;
-    data->GetPoint(ids->GetId(corner), corners.row(i).data());
-  }
-  return corners;
-}
-
-class JudgeCells
-{
-public:
-  JudgeCells(vtkDataSet* data, std::vector<HexQuality>& qualities)
-    : Data(data)
-    , Qualities(qualities)
-  {
-  }
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    vtkIdList* ids = this->Ids.Local();
-    for (vtkIdType cell = begin; cell < end; ++cell)
+    if (reader.isHex(cell))
     {
-      HexQuality& quality = this->Qualities[static_cast<std::size_t>(cell)];
-      const int type = this->Data->GetCellType(cell);
-      if (isJudged(type))
-      {
-        quality = hexsweep::hexQuality(cornersOf(this->Data, cell, type, ids));
-      }
-      else
-      {
-        quality.scaledJacobian = std::numeric_limits<double>::quiet_NaN();
-        quality.validity = Validity::NotJudged;
-      }
+      corners.middleRows<8>(8 * static_cast<Index>(hexes.size())) = reader.corners(cell);
+      hexes.push_back(cell);
+    }
+    else
+    {
+      qualities[cell - begin] = notJudged();
     }
   }
-
-private:
-  vtkDataSet* Data;
-  std::vector<HexQuality>& Qualities;
-  vtkSMPThreadLocalObject<vtkIdList> Ids;
-};
-
-std::vector<HexQuality> judge(vtkDataSet* data, const hexsweep::Progress& progress)
-{
-  const vtkIdType cells = data->GetNumberOfCells();
-  std::vector<HexQuality> qualities(static_cast<std::size_t>(cells));
-  // The first call from one thread builds what the data set needs for calls from several.
-  vtkNew<vtkIdList> ids;
-  data->GetCellPoints(0, ids);
-  JudgeCells judgeCells(data, qualities);
-  for (vtkIdType begin = 0; begin < cells; begin += CellsPerPortion)
+  const std::vector<HexQuality> judged =
+    hexsweep::hexQualities(corners.topRows(8 * static_cast<Index>(hexes.size())));
+  for (std::size_t i = 0; i < hexes.size(); ++i)
   {
-    const vtkIdType end = std::min(cells, begin + CellsPerPortion);
-    vtkSMPTools::For(begin, end, judgeCells);
-    hexsweep::reportProgress(progress, static_cast<double>(end) / static_cast<double>(cells));
+    qualities[hexes[i] - begin] = judged[i];
   }
+}
+
+std::vector<HexQuality> judgePortion(HexReader& reader, Index begin, Index end)
+{
+  std::vector<HexQuality> qualities(static_cast<std::size_t>(end - begin));
+  hexsweep::forPieces(hexsweep::smpFor(), end - begin, CellsPerPiece, [&](Index first, Index last) {
+    judgePiece(reader, begin + first, begin + last, qualities.data() + first);
+  });
   return qualities;
 }
 
-// Cells that another rank owns, or that are switched off, are not this mesh's to report.
-bool isOwned(vtkUnsignedCharArray* ghosts, vtkIdType cell)
+/// A data set with the verdicts on its cells.
+struct JudgedCells
 {
-  constexpr int NotOurs = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-  return !ghosts || (ghosts->GetValue(cell) & NotOurs) == 0;
-}
-
-bool isBad(Validity validity)
-{
-  return validity == Validity::InvertedCorner || validity == Validity::InvertedInside ||
-    validity == Validity::Degenerate;
-}
-
-std::string describeCell(vtkDataSet* data, vtkIdType cell, const HexQuality& quality)
-{
-  vtkNew<vtkIdList> ids;
-  const Eigen::RowVector3d center =
-    cornersOf(data, cell, data->GetCellType(cell), ids).colwise().mean();
-  std::ostringstream text;
-  text << "\n  cell " << cell << " at (" << center[0] << ", " << center[1] << ", " << center[2]
-       << "), ";
-  if (quality.validity == Validity::Degenerate)
+  explicit JudgedCells(vtkDataSet* data)
+    : count(data->GetNumberOfCells())
+    , ghosts(data->GetCellGhostArray())
+    , reader(data)
+    , arrays(count)
   {
-    text << "degenerate";
   }
-  else
-  {
-    text << "scaled Jacobian " << quality.scaledJacobian;
-  }
-  return text.str();
-}
 
-std::string describeBadCells(
-  vtkDataSet* data, const std::vector<HexQuality>& qualities, vtkUnsignedCharArray* ghosts)
-{
-  std::string text;
-  vtkIdType named = 0;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells() && named < NumberOfNamedCells; ++cell)
+  /// Cells that another rank owns, or that are switched off, are not this mesh's to report.
+  bool isOwned(vtkIdType cell) const
   {
-    const HexQuality& quality = qualities[static_cast<std::size_t>(cell)];
-    if (isBad(quality.validity) && isOwned(ghosts, cell))
+    constexpr int NotOurs = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+    return !this->ghosts || (this->ghosts->GetValue(cell) & NotOurs) == 0;
+  }
+
+  void judge(const hexsweep::Progress& progress)
+  {
+    for (Index begin = 0; begin < this->count; begin += CellsPerPortion)
     {
-      text += describeCell(data, cell, quality);
-      ++named;
+      const Index end = std::min<Index>(this->count, begin + CellsPerPortion);
+      const std::vector<HexQuality> qualities = judgePortion(this->reader, begin, end);
+      for (Index cell = begin; cell < end; ++cell)
+      {
+        const HexQuality& quality = qualities[static_cast<std::size_t>(cell - begin)];
+        this->arrays.set(cell, quality);
+        if (this->isOwned(cell))
+        {
+          this->summary.add(quality);
+        }
+      }
+      hexsweep::reportProgress(
+        progress, static_cast<double>(end) / static_cast<double>(this->count));
     }
   }
-  return text;
-}
 
-std::string describeProblem(vtkDataSet* data, const std::vector<HexQuality>& qualities,
-  const hexsweep::HexQualitySummary& summary, vtkUnsignedCharArray* ghosts)
+  /// Names the first cells with one of these verdicts.
+  std::string describe(std::initializer_list<Validity> verdicts)
+  {
+    std::ostringstream text;
+    vtkIdType named = 0;
+    for (vtkIdType cell = 0; cell < this->count && named < NumberOfNamedCells; ++cell)
+    {
+      const Validity validity = this->arrays.validity(cell);
+      if (std::find(verdicts.begin(), verdicts.end(), validity) == verdicts.end() ||
+        !this->isOwned(cell))
+      {
+        continue;
+      }
+      const Eigen::RowVector3d center = this->reader.corners(cell).colwise().mean();
+      text << "\n  cell " << cell << " at (" << center[0] << ", " << center[1] << ", " << center[2]
+           << "), ";
+      if (validity == Validity::Degenerate)
+      {
+        text << "degenerate";
+      }
+      else
+      {
+        text << "scaled Jacobian " << this->arrays.scaledJacobian(cell)
+             << (validity == Validity::InvertedInside ? ", inverted between its corners" : "");
+      }
+      ++named;
+    }
+    return text.str();
+  }
+
+  vtkIdType count;
+  vtkUnsignedCharArray* ghosts;
+  HexReader reader;
+  QualityArrays arrays;
+  hexsweep::HexQualitySummary summary;
+};
+
+std::string describeInverted(JudgedCells& cells)
 {
+  const hexsweep::HexQualitySummary& summary = cells.summary;
   std::ostringstream text;
   if (summary.insideOut == summary.hexes)
   {
@@ -173,39 +174,23 @@ std::string describeProblem(vtkDataSet* data, const std::vector<HexQuality>& qua
     text << " and " << summary.degenerate
          << " are degenerate (an edge without length, or a coordinate that is not finite)";
   }
-  text << ". The first:" << describeBadCells(data, qualities, ghosts)
+  text << ". The first:"
+       << cells.describe(
+            { Validity::InvertedCorner, Validity::InvertedInside, Validity::Degenerate })
        << "\nThreshold the cell array Validity (1, 2 and 4) to see all of them; move their points, "
           "or mesh that region anew.";
   return text.str();
 }
 
-void addArrays(vtkDataSet* output, const std::vector<HexQuality>& qualities)
+std::string describeUndecided(JudgedCells& cells)
 {
-  const vtkIdType cells = output->GetNumberOfCells();
-  vtkNew<vtkDoubleArray> scaledJacobian;
-  scaledJacobian->SetName("ScaledJacobian");
-  scaledJacobian->SetNumberOfValues(cells);
-  vtkNew<vtkUnsignedCharArray> validity;
-  validity->SetName("Validity");
-  validity->SetNumberOfValues(cells);
-  for (vtkIdType cell = 0; cell < cells; ++cell)
-  {
-    const HexQuality& quality = qualities[static_cast<std::size_t>(cell)];
-    scaledJacobian->SetValue(cell, quality.scaledJacobian);
-    validity->SetValue(cell, static_cast<unsigned char>(quality.validity));
-  }
-  output->GetCellData()->AddArray(scaledJacobian);
-  output->GetCellData()->AddArray(validity);
-}
-
-void addReports(vtkFieldData* fieldData, const hexsweep::HexQualitySummary& summary)
-{
-  hexsweep::addReport(fieldData, "SweepReportHexes", summary.hexes);
-  hexsweep::addReport(fieldData, "SweepReportInverted", summary.inverted);
-  hexsweep::addReport(fieldData, "SweepReportDegenerate", summary.degenerate);
-  hexsweep::addReport(fieldData, "SweepReportNotCertified", summary.notCertified);
-  hexsweep::addReport(fieldData, "SweepReportMinScaledJacobian", summary.minScaledJacobian);
-  hexsweep::addReport(fieldData, "SweepReportMeanScaledJacobian", summary.meanScaledJacobian);
+  std::ostringstream text;
+  text << cells.summary.undecided << " of " << cells.summary.hexes
+       << " hexahedra are undecided: their Jacobian comes too near to zero to be told from it. The "
+          "first:"
+       << cells.describe({ Validity::Undecided })
+       << "\nTreat them as inverted: move their points, or mesh that region anew.";
+  return text.str();
 }
 }
 
@@ -232,32 +217,27 @@ int vtkHexValidity::RequestData(
       }
       throw hexsweep::InvalidInput("the input is empty (no cells). Connect a mesh of hexahedra.");
     }
-    const std::vector<HexQuality> qualities = judge(input, hexsweep::pipelineProgress(this));
-
-    vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
-    hexsweep::HexQualitySummary summary;
-    for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-    {
-      if (isOwned(ghosts, cell))
-      {
-        summary.add(qualities[static_cast<std::size_t>(cell)]);
-      }
-    }
-    if (summary.hexes == 0)
+    JudgedCells cells(input);
+    cells.judge(hexsweep::pipelineProgress(this));
+    if (cells.summary.hexes == 0)
     {
       vtkWarningMacro("the input has no hexahedra: nothing was judged.");
     }
-    if (summary.inverted + summary.degenerate > 0)
+    if (cells.summary.inverted + cells.summary.degenerate > 0)
     {
-      const std::string problem = describeProblem(input, qualities, summary, ghosts);
+      const std::string problem = describeInverted(cells);
       if (this->FailIfInvalid)
       {
         throw hexsweep::InvalidInput(problem);
       }
       vtkWarningMacro(<< problem);
     }
+    if (cells.summary.undecided > 0)
+    {
+      vtkWarningMacro(<< describeUndecided(cells));
+    }
     output->ShallowCopy(input);
-    addArrays(output, qualities);
-    addReports(output->GetFieldData(), summary);
+    cells.arrays.addTo(output->GetCellData());
+    hexsweep::addQualityReport(output->GetFieldData(), cells.summary);
   });
 }

@@ -4,13 +4,17 @@
 
 #include <vtkHexValidity.h>
 
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkCellTypeSource.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
 #include <vtkHexahedron.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkMeshQuality.h>
 #include <vtkNew.h>
@@ -20,16 +24,20 @@
 #include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
+#include <vtkStructuredGrid.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -117,6 +125,10 @@ struct Judgement
   {
     return this->output()->GetCellData()->GetArray("ScaledJacobian")->GetTuple1(cell);
   }
+  double lowerBound(vtkIdType cell)
+  {
+    return this->output()->GetCellData()->GetArray("JacobianLowerBound")->GetTuple1(cell);
+  }
   int validity(vtkIdType cell)
   {
     return static_cast<int>(this->output()->GetCellData()->GetArray("Validity")->GetTuple1(cell));
@@ -133,26 +145,42 @@ TEST(HexValidity, EqualsVerdictOnShakenCubes)
   const auto grid = shakenCubes(20000, 0.6);
   Judgement run(grid);
   vtkIdType inverted = 0;
-  vtkIdType positive = 0;
+  vtkIdType certified = 0;
+  vtkIdType inside = 0;
+  vtkIdType missed = 0;
+  double leastBound = 1.0;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const double verdict = vtkMeshQuality::HexScaledJacobian(grid->GetCell(cell));
     ASSERT_NEAR(run.scaledJacobian(cell), verdict, 1e-12) << "cell " << cell;
-    ASSERT_EQ(run.validity(cell) == vtkHexValidity::UNDECIDED, verdict > 0.0) << "cell " << cell;
-    inverted += verdict <= 0.0;
-    positive += verdict > 0.0;
+    const int validity = run.validity(cell);
+    // What Verdict finds inverted is; what it finds valid need not be, between its nine points.
+    ASSERT_TRUE(validity == vtkHexValidity::CERTIFIED ||
+      validity == vtkHexValidity::INVERTED_CORNER || validity == vtkHexValidity::INVERTED_INSIDE);
+    ASSERT_TRUE(verdict > 0.0 || validity != vtkHexValidity::CERTIFIED) << "cell " << cell;
+    ASSERT_TRUE(verdict <= 0.0 || validity != vtkHexValidity::INVERTED_CORNER) << "cell " << cell;
+    inverted += validity != vtkHexValidity::CERTIFIED;
+    certified += validity == vtkHexValidity::CERTIFIED;
+    inside += validity == vtkHexValidity::INVERTED_INSIDE;
+    missed += verdict > 0.0 && validity == vtkHexValidity::INVERTED_INSIDE;
+    leastBound = std::min(leastBound, run.lowerBound(cell));
   }
   ASSERT_GT(inverted, 1000);
-  ASSERT_GT(positive, 1000);
+  ASSERT_GT(certified, 1000);
+  EXPECT_GT(missed, 10);
   EXPECT_EQ(run.report("Hexes"), grid->GetNumberOfCells());
   EXPECT_EQ(run.report("Inverted"), inverted);
+  EXPECT_EQ(run.report("InvertedInside"), inside);
+  EXPECT_EQ(run.report("Undecided"), 0);
+  EXPECT_EQ(run.report("NotCertified"), inverted);
+  EXPECT_EQ(run.report("MinJacobianLowerBound"), leastBound);
   EXPECT_EQ(run.events.errors.size(), 0u);
   EXPECT_EQ(run.events.warnings.size(), 1u);
 }
 
 TEST(HexValidity, ThreadsDoNotChangeABit)
 {
-  const auto grid = shakenCubes(5000, 0.3);
+  const auto grid = shakenCubes(70000, 0.3);
   vtkSMPTools::Initialize(1);
   Judgement one(grid);
   vtkSMPTools::Initialize(4);
@@ -161,6 +189,8 @@ TEST(HexValidity, ThreadsDoNotChangeABit)
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     ASSERT_EQ(one.scaledJacobian(cell), four.scaledJacobian(cell));
+    ASSERT_EQ(one.lowerBound(cell), four.lowerBound(cell));
+    ASSERT_EQ(one.validity(cell), four.validity(cell));
   }
   EXPECT_EQ(one.report("MeanScaledJacobian"), four.report("MeanScaledJacobian"));
 }
@@ -179,9 +209,9 @@ TEST(HexValidity, WarningCountsAndNamesTheFirstTen)
   EXPECT_NE(text.find("cell 1 at (0.4375, 0.4375, 0.4375)"), std::string::npos) << text;
   EXPECT_NE(text.find("cell 10 at"), std::string::npos) << text;
   EXPECT_EQ(text.find("cell 11 at"), std::string::npos) << text;
-  EXPECT_EQ(run.validity(0), vtkHexValidity::UNDECIDED);
+  EXPECT_EQ(run.validity(0), vtkHexValidity::CERTIFIED);
   EXPECT_EQ(run.validity(1), vtkHexValidity::INVERTED_CORNER);
-  EXPECT_EQ(run.report("NotCertified"), 13);
+  EXPECT_EQ(run.report("NotCertified"), 12);
   EXPECT_EQ(run.output()->GetNumberOfCells(), 13);
 }
 
@@ -217,7 +247,7 @@ TEST(HexValidity, DegenerateHexIsNotPerfectAsInVerdict)
   Judgement run(grid);
   EXPECT_EQ(run.validity(0), vtkHexValidity::DEGENERATE);
   EXPECT_EQ(run.validity(1), vtkHexValidity::DEGENERATE);
-  EXPECT_EQ(run.validity(2), vtkHexValidity::UNDECIDED);
+  EXPECT_EQ(run.validity(2), vtkHexValidity::CERTIFIED);
   EXPECT_LE(run.scaledJacobian(0), 0.0);
   EXPECT_TRUE(std::isnan(run.scaledJacobian(1)));
   EXPECT_EQ(run.report("Degenerate"), 2);
@@ -235,7 +265,8 @@ TEST(HexValidity, VoxelsAreJudgedAndTheOutputHasTheInputsType)
   EXPECT_EQ(run.report("Hexes"), 6);
   EXPECT_EQ(run.report("Inverted"), 0);
   EXPECT_DOUBLE_EQ(run.report("MinScaledJacobian"), 1.0);
-  EXPECT_EQ(run.validity(5), vtkHexValidity::UNDECIDED);
+  EXPECT_EQ(run.validity(5), vtkHexValidity::CERTIFIED);
+  EXPECT_NEAR(run.lowerBound(5), 6.0, 1e-11);
 }
 
 TEST(HexValidity, OtherCellsPassThrough)
@@ -251,7 +282,7 @@ TEST(HexValidity, OtherCellsPassThrough)
   Judgement run(grid);
   EXPECT_EQ(run.validity(0), vtkHexValidity::NOT_JUDGED);
   EXPECT_TRUE(std::isnan(run.scaledJacobian(0)));
-  EXPECT_EQ(run.validity(numberOfWedges), vtkHexValidity::UNDECIDED);
+  EXPECT_EQ(run.validity(numberOfWedges), vtkHexValidity::CERTIFIED);
   EXPECT_EQ(run.report("Hexes"), 1);
   EXPECT_EQ(run.events.warnings.size(), 0u);
 
@@ -299,7 +330,117 @@ TEST(HexValidity, PointAndCellDataAreKept)
   block->Update();
   Judgement run(block->GetOutput());
   EXPECT_EQ(run.output()->GetCellData()->GetNumberOfArrays(),
-    block->GetOutput()->GetCellData()->GetNumberOfArrays() + 2);
+    block->GetOutput()->GetCellData()->GetNumberOfArrays() + 3);
   EXPECT_EQ(run.output()->GetPointData()->GetNumberOfArrays(),
     block->GetOutput()->GetPointData()->GetNumberOfArrays());
+}
+
+TEST(HexValidity, InvertedBetweenItsCornersIsNamedAsSuch)
+{
+  // A flat rectangle below, a tall one turned by 180 degrees above: every corner is positive.
+  const Corners twisted = { { { -2, -0.05, 0 }, { 2, -0.05, 0 }, { 2, 0.05, 0 }, { -2, 0.05, 0 },
+    { 0.5, 1, 1 }, { -0.5, 1, 1 }, { -0.5, -1, 1 }, { 0.5, -1, 1 } } };
+  Judgement run(gridOf({ Cube, twisted }));
+  EXPECT_EQ(run.validity(1), vtkHexValidity::INVERTED_INSIDE);
+  EXPECT_LT(run.lowerBound(1), 0.0);
+  ASSERT_EQ(run.events.warnings.size(), 1u);
+  EXPECT_NE(run.events.warnings.front().find("inverted between its corners"), std::string::npos);
+}
+
+TEST(HexValidity, UndecidedHexesRaiseAWarning)
+{
+  // The section shrinks to a point a third of the way up and turns inside out and back: its
+  // Jacobian is the square of that, never negative, and zero where no bisection comes.
+  Corners touching = { { { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 }, { 2, 2, 1 },
+    { -2, 2, 1 }, { -2, -2, 1 }, { 2, -2, 1 } } };
+  Judgement run(gridOf({ Cube, touching }));
+  EXPECT_EQ(run.validity(1), vtkHexValidity::UNDECIDED);
+  EXPECT_EQ(run.report("Undecided"), 1);
+  EXPECT_EQ(run.report("NotCertified"), 1);
+  EXPECT_EQ(run.report("Inverted"), 0);
+  ASSERT_EQ(run.events.warnings.size(), 1u);
+  EXPECT_NE(run.events.warnings.front().find("1 of 2 hexahedra are undecided"), std::string::npos);
+  EXPECT_NE(run.events.warnings.front().find("cell 1 at"), std::string::npos);
+}
+
+TEST(HexValidity, EveryKindOfDataSetGivesTheSame)
+{
+  // The same block as image, structured grid and unstructured grids with single and double
+  // precision, 32-bit ids and voxels.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 3, 3);
+  image->SetSpacing(0.5, 0.25, 2.0);
+  vtkNew<vtkStructuredGrid> structured;
+  structured->SetDimensions(4, 3, 3);
+  vtkNew<vtkPoints> doubles;
+  doubles->SetDataTypeToDouble();
+  vtkNew<vtkPoints> floats;
+  floats->SetDataTypeToFloat();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    doubles->InsertNextPoint(image->GetPoint(i));
+    floats->InsertNextPoint(image->GetPoint(i));
+  }
+  structured->SetPoints(floats);
+  const auto unstructured = [&](vtkPoints* points, bool wideIds) {
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    grid->SetPoints(points);
+    vtkNew<vtkCellArray> cells;
+    if (wideIds)
+    {
+      cells->Use64BitStorage();
+    }
+    else
+    {
+      cells->Use32BitStorage();
+    }
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < structured->GetNumberOfCells(); ++cell)
+    {
+      structured->GetCellPoints(cell, ids);
+      cells->InsertNextCell(ids);
+    }
+    grid->SetCells(VTK_HEXAHEDRON, cells);
+    return grid;
+  };
+  const auto wide = unstructured(doubles, true);
+  const auto narrow = unstructured(floats, false);
+  for (vtkDataSet* data : { static_cast<vtkDataSet*>(image), static_cast<vtkDataSet*>(structured),
+         static_cast<vtkDataSet*>(wide), static_cast<vtkDataSet*>(narrow) })
+  {
+    Judgement run(data);
+    EXPECT_EQ(run.report("Hexes"), 12) << data->GetClassName();
+    EXPECT_EQ(run.report("NotCertified"), 0) << data->GetClassName();
+    EXPECT_EQ(run.report("MinScaledJacobian"), 1.0) << data->GetClassName();
+    EXPECT_NEAR(run.report("MinJacobianLowerBound"), 0.25, 1e-12) << data->GetClassName();
+    EXPECT_EQ(run.events.warnings.size(), 0u);
+  }
+}
+
+TEST(HexValidity, ProgressMovesAndAnAbortEmptiesTheOutput)
+{
+  const auto grid = shakenCubes(200000, 0.2);
+  vtkNew<vtkHexValidity> filter;
+  test::Events events(filter);
+  filter->SetInputData(grid);
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&progress);
+  observer->SetCallback([](vtkObject* caller, unsigned long, void* client, void*) {
+    static_cast<std::vector<double>*>(client)->push_back(
+      vtkAlgorithm::SafeDownCast(caller)->GetProgress());
+  });
+  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  filter->Update();
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_GE(std::set<double>(progress.begin(), progress.end()).size(), 4u);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 200000);
+
+  observer->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  });
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(events.errors.size(), 0u);
 }

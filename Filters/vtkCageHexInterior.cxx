@@ -10,12 +10,12 @@
 #include "Core/SweepBoundary.h"
 #include "Core/SweptHexes.h"
 #include "HexSweepBridge.h"
+#include "HexSweepQualityArrays.h"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
@@ -217,7 +217,7 @@ std::string describeProblem(
     }
   }
   return text +
-    "\nThreshold the cell array ScaledJacobian (0 and less) to see all of them. Check the target "
+    "\nThreshold the cell array Validity (1, 2 and 4) to see all of them. Check the target "
     "quads and the linking sides there first (folded quads make inverted hexahedra); " +
     (method == "Blend" ? "refine the quads, or use more layers where the section changes quickly."
                        : "the method Blend copes with more.");
@@ -240,14 +240,12 @@ void addCellArrays(vtkDataSet* source, const std::vector<Index>& sourceCellIds,
   carryAttributes(source->GetCellData(), sourceCellIds, mesh.layers, cellData);
   cellData->AddArray(newRepeatedIds("SourceCellIds", sourceCellIds, mesh.layers));
   cellData->AddArray(newLayerNumbers(static_cast<Index>(sourceCellIds.size()), mesh.layers));
-  vtkNew<vtkDoubleArray> scaledJacobian;
-  scaledJacobian->SetName("ScaledJacobian");
-  scaledJacobian->SetNumberOfValues(mesh.hexes.rows());
+  hexsweep::QualityArrays arrays(mesh.hexes.rows());
   for (Index h = 0; h < mesh.hexes.rows(); ++h)
   {
-    scaledJacobian->SetValue(h, mesh.qualities[static_cast<std::size_t>(h)].scaledJacobian);
+    arrays.set(h, mesh.qualities[static_cast<std::size_t>(h)]);
   }
-  cellData->AddArray(scaledJacobian);
+  arrays.addTo(cellData);
   cellData->SetActiveScalars("ScaledJacobian");
 }
 }
@@ -273,6 +271,7 @@ void vtkCageHexInterior::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "Certify: " << (this->Certify ? "On" : "Off") << "\n";
   os << indent << "FailIfInvalid: " << (this->FailIfInvalid ? "On" : "Off") << "\n";
 }
 
@@ -306,7 +305,8 @@ int vtkCageHexInterior::RequestData(
 
     mesh.layers = cage.boundary.numberOfLayers();
     mesh.hexes = hexsweep::sweptHexes(cage.quads, mesh.points, mesh.layers);
-    mesh.qualities = hexsweep::hexQualities(mesh.points, mesh.hexes);
+    mesh.qualities =
+      hexsweep::hexQualities(mesh.points, mesh.hexes, this->Certify, hexsweep::smpFor());
     const hexsweep::HexQualitySummary summary = hexsweep::summarize(mesh.qualities);
     clock.finish("Quality");
     if (summary.inverted + summary.degenerate > 0)
@@ -329,10 +329,7 @@ int vtkCageHexInterior::RequestData(
     vtkFieldData* fieldData = output->GetFieldData();
     fieldData->PassData(targetData->GetFieldData());
     fieldData->PassData(sourceData->GetFieldData());
-    hexsweep::addReport(fieldData, "SweepReportHexes", summary.hexes);
-    hexsweep::addReport(fieldData, "SweepReportInverted", summary.inverted);
-    hexsweep::addReport(fieldData, "SweepReportMinScaledJacobian", summary.minScaledJacobian);
-    hexsweep::addReport(fieldData, "SweepReportMeanScaledJacobian", summary.meanScaledJacobian);
+    hexsweep::addQualityReport(fieldData, summary);
     hexsweep::addReport(fieldData, "SweepReportMethod", method);
     clock.finish("Output");
     clock.report(fieldData);

@@ -20,10 +20,10 @@
  * numbering.
  *
  * Arrays: point `SourcePointIds`, `SweepLayer`; cell `SourceCellIds`, `SweepLayer`,
- * `ScaledJacobian` (as Verdict defines it); point and cell data of the source quads on every
- * layer; field data of source and target quads. Reported in the field data: `SweepReportHexes`,
- * `SweepReportInverted`, `SweepReportMinScaledJacobian`, `SweepReportMeanScaledJacobian`,
- * `SweepReportMethod` (what really ran), `SweepReportStages` and `SweepReportSeconds`.
+ * `ScaledJacobian`, `JacobianLowerBound` and `Validity` (see vtkHexValidity, whose report is in the
+ * field data as well); point and cell data of the source quads on every layer; field data of source
+ * and target quads. Reported in the field data besides: `SweepReportMethod` (what really ran),
+ * `SweepReportStages` and `SweepReportSeconds`.
  *
  * Inverted or degenerate hexahedra raise a warning that says how many, where the first ten are and
  * what to do. Input that cannot be swept raises one error, and the output is empty.
@@ -103,6 +103,17 @@ public:
 
   ///@{
   /**
+   * Prove for each hexahedron that it is valid at every point, or that it is not (`Validity`, as
+   * vtkHexValidity gives it). On by default. Off: `Validity` tells what corners and centre tell, 3
+   * (undecided) where they are positive, and there is no `JacobianLowerBound` (not a number).
+   */
+  vtkSetMacro(Certify, bool);
+  vtkGetMacro(Certify, bool);
+  vtkBooleanMacro(Certify, bool);
+  ///@}
+
+  ///@{
+  /**
    * Raise an error and return an empty output where a hexahedron is inverted or degenerate, instead
    * of a warning. Off by default.
    */
@@ -125,6 +136,7 @@ private:
   int Method = AUTOMATIC;
   double MatchTolerance = 1e-6;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool Certify = true;
   bool FailIfInvalid = false;
 };
 

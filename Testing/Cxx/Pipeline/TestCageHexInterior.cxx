@@ -29,6 +29,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -186,6 +187,27 @@ TEST(CageHexInterior, NumberingAndArraysFollowTheLayers)
       ASSERT_EQ(ids->GetId(c), (h / m + c / 4) * n + sweep.quads(h % m, c % 4));
     }
   }
+}
+
+TEST(CageHexInterior, CertifyProvesEveryHex)
+{
+  Case input(someSweep());
+  EXPECT_TRUE(input.filter->GetCertify());
+  vtkUnstructuredGrid* output = input.run();
+  const auto range = [output](const char* name) {
+    const double* values = output->GetCellData()->GetArray(name)->GetRange();
+    return std::make_pair(values[0], values[1]);
+  };
+  EXPECT_EQ(range("Validity"), std::make_pair(0.0, 0.0));
+  EXPECT_GT(range("JacobianLowerBound").first, 0.0);
+  EXPECT_EQ(input.report("NotCertified"), 0);
+  EXPECT_EQ(input.report("MinJacobianLowerBound"), range("JacobianLowerBound").first);
+
+  input.filter->CertifyOff();
+  input.filter->Update();
+  EXPECT_EQ(range("Validity"), std::make_pair(3.0, 3.0));
+  EXPECT_EQ(input.report("NotCertified"), input.report("Hexes"));
+  EXPECT_EQ(input.report("Inverted"), 0);
 }
 
 TEST(CageHexInterior, ReportSaysWhatRan)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCageHexInterior.h"
 
-#include "Core/BlendInterior.h"
-#include "Core/BoundaryErrorInterior.h"
 #include "Core/Describe.h"
 #include "Core/HexQuality.h"
 #include "Core/LinkingRings.h"
+#include "Core/RingCollapse.h"
 #include "Core/SurfaceTopology.h"
 #include "Core/SweepBoundary.h"
 #include "Core/SweptHexes.h"
 #include "HexSweepBridge.h"
+#include "HexSweepMethods.h"
 #include "HexSweepQualityArrays.h"
 
 #include <vtkCellData.h>
@@ -42,6 +42,7 @@ using hexsweep::Index;
 using hexsweep::Points;
 
 constexpr Index NumberOfNamedCells = 10;
+constexpr int PolishingRounds = 4;
 
 // Seconds of each stage of the work, for the report.
 class StageClock
@@ -53,6 +54,17 @@ public:
     this->Names.push_back(stage);
     this->Seconds.push_back(std::chrono::duration<double>(now - this->Start).count());
     this->Start = now;
+  }
+
+  // Work that was timed where it was done.
+  void finish(const std::vector<hexsweep::InteriorStep>& steps)
+  {
+    for (const hexsweep::InteriorStep& step : steps)
+    {
+      this->Names.push_back(step.name);
+      this->Seconds.push_back(step.seconds);
+    }
+    this->Start = std::chrono::steady_clock::now();
   }
 
   void report(vtkFieldData* fieldData) const
@@ -67,58 +79,42 @@ private:
   std::vector<double> Seconds;
 };
 
-std::string methodName(int method)
-{
-  switch (method)
-  {
-    case vtkCageHexInterior::AUTOMATIC:
-    case vtkCageHexInterior::BLEND:
-      return "Blend";
-    case vtkCageHexInterior::AFFINE_BOUNDARY_ERROR:
-      return "AffineBoundaryError";
-    default:
-      throw hexsweep::InvalidInput("Method " + std::to_string(method) +
-        " is not available in this version. Use AUTOMATIC (0), BLEND (1) or "
-        "AFFINE_BOUNDARY_ERROR (6).");
-  }
-}
-
 // The inputs, checked against each other.
-struct Cage
+struct Cage : hexsweep::SweepCage
 {
-  hexsweep::SurfaceInput source;
-  hexsweep::SurfaceInput target;
-  hexsweep::Quads quads;
-  hexsweep::SweepBoundary boundary;
+  std::vector<Index> sourceCellIds;
 };
 
 Cage readCage(
   vtkDataSet* sourceData, vtkDataSet* targetData, vtkDataSet* linkingData, double matchTolerance)
 {
-  Cage cage;
-  cage.source = hexsweep::readQuads(sourceData, "source quads");
-  cage.target = hexsweep::readQuads(targetData, "target quads");
+  hexsweep::SurfaceInput source = hexsweep::readQuads(sourceData, "source quads");
+  hexsweep::SurfaceInput target = hexsweep::readQuads(targetData, "target quads");
   const hexsweep::SurfaceInput linking = hexsweep::readQuads(linkingData, "linking sides");
-  const Index n = cage.source.points.rows();
-  if (cage.target.points.rows() != n)
+  const Index n = source.points.rows();
+  if (target.points.rows() != n)
   {
     throw hexsweep::InvalidInput(
       "the target quads do not have the connectivity of the source quads: " +
-      std::to_string(cage.target.points.rows()) + " points instead of " + std::to_string(n) +
+      std::to_string(target.points.rows()) + " points instead of " + std::to_string(n) +
       ". Make them from the source quads (SweepQuadProjector).");
   }
   const hexsweep::SurfaceTopology topology =
-    hexsweep::checkSurface(cage.source.faces, n, "source quads");
+    hexsweep::checkSurface(source.faces, n, "source quads");
   hexsweep::checkCap(topology, "source quads");
-  cage.quads = cage.source.faces;
-  hexsweep::checkSameQuads(cage.quads, hexsweep::Quads(cage.target.faces));
+  Cage cage;
+  cage.quads = source.faces;
+  hexsweep::checkSameQuads(cage.quads, hexsweep::Quads(target.faces));
 
-  const hexsweep::LinkingRings rings = hexsweep::traceLinkingRings(cage.source.points,
-    topology.loops, linking.points, hexsweep::Quads(linking.faces), matchTolerance);
-  hexsweep::matchTargetLoops(
-    cage.target.points, topology.loops, rings, linking.points, matchTolerance);
+  const hexsweep::LinkingRings rings = hexsweep::traceLinkingRings(
+    source.points, topology.loops, linking.points, hexsweep::Quads(linking.faces), matchTolerance);
+  hexsweep::matchTargetLoops(target.points, topology.loops, rings, linking.points, matchTolerance);
   cage.boundary = hexsweep::gatherSweepBoundary(
-    cage.source.points, cage.target.points, topology.loops, rings, linking.points);
+    source.points, target.points, topology.loops, rings, linking.points);
+  hexsweep::checkRings(cage.boundary, topology.loops);
+  cage.source = std::move(source.points);
+  cage.target = std::move(target.points);
+  cage.sourceCellIds = std::move(source.cellIds);
   return cage;
 }
 
@@ -189,8 +185,8 @@ bool isBad(const HexQuality& quality)
     quality.validity == hexsweep::Validity::Degenerate;
 }
 
-std::string describeProblem(
-  const SweptMesh& mesh, const hexsweep::HexQualitySummary& summary, const std::string& method)
+std::string describeProblem(const SweptMesh& mesh, const hexsweep::HexQualitySummary& summary,
+  const hexsweep::SweepInterior& interior)
 {
   std::string text = std::to_string(summary.inverted) + " of " + std::to_string(summary.hexes) +
     " hexahedra are inverted";
@@ -216,11 +212,44 @@ std::string describeProblem(
       ++named;
     }
   }
+  text += "\nThreshold the cell array Validity (1, 2 and 4) to see all of them.";
+  const std::vector<Index>& conflicts = interior.fixed.conflicts;
+  if (!conflicts.empty())
+  {
+    text += " " + std::to_string(conflicts.size()) +
+      " of them have a corner between a cap and a linking side that is inverted whatever the "
+      "interior does (the first is cell " +
+      std::to_string(conflicts.front()) + "): correct the target quads or the linking sides there.";
+  }
   return text +
-    "\nThreshold the cell array Validity (1, 2 and 4) to see all of them. Check the target "
-    "quads and the linking sides there first (folded quads make inverted hexahedra); " +
-    (method == "Blend" ? "refine the quads, or use more layers where the section changes quickly."
-                       : "the method Blend copes with more.");
+    " Check the target quads and the linking sides first (folded quads make inverted hexahedra); "
+    "refine the quads, use more layers where the section changes quickly, or let EnsureValid and "
+    "the method Automatic do what they can.";
+}
+
+// What the cascade did, step by step, and what no interior could have done.
+void addStepReport(vtkFieldData* fieldData, const hexsweep::SweepInterior& interior,
+  const hexsweep::InteriorOptions& options)
+{
+  if (!options.ensureValid && options.polishingRounds == 0)
+  {
+    return;
+  }
+  std::vector<std::string> names;
+  std::vector<double> notCertified;
+  std::vector<double> mended;
+  for (const hexsweep::InteriorStep& step : interior.steps)
+  {
+    names.push_back(step.name);
+    notCertified.push_back(static_cast<double>(step.notCertified));
+    mended.push_back(static_cast<double>(step.mended));
+  }
+  hexsweep::addReport(fieldData, "SweepReportSteps", names);
+  hexsweep::addReport(fieldData, "SweepReportStepNotCertified", notCertified);
+  hexsweep::addReport(fieldData, "SweepReportStepMended", mended);
+  hexsweep::addReport(fieldData, "SweepReportFloorScaledJacobian", interior.fixed.floor);
+  hexsweep::addReport(
+    fieldData, "SweepReportCornerConflicts", static_cast<Index>(interior.fixed.conflicts.size()));
 }
 
 void addPointArrays(vtkDataSet* source, const SweptMesh& mesh, vtkUnstructuredGrid* output)
@@ -271,6 +300,8 @@ void vtkCageHexInterior::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "EnsureValid: " << (this->EnsureValid ? "On" : "Off") << "\n";
+  os << indent << "ImproveQuality: " << (this->ImproveQuality ? "On" : "Off") << "\n";
   os << indent << "Certify: " << (this->Certify ? "On" : "Off") << "\n";
   os << indent << "FailIfInvalid: " << (this->FailIfInvalid ? "On" : "Off") << "\n";
 }
@@ -287,21 +318,25 @@ int vtkCageHexInterior::RequestData(
       return;
     }
     StageClock clock;
-    const std::string method = methodName(this->Method);
+    const std::vector<hexsweep::InteriorStart> starts = hexsweep::interiorStarts(this->Method);
     const Cage cage = readCage(sourceData, targetData, linkingData, this->MatchTolerance);
     clock.finish("Read");
 
-    const auto interior =
-      method == "Blend" ? hexsweep::blendInterior : hexsweep::boundaryErrorInterior;
+    hexsweep::InteriorOptions options;
+    options.ensureValid = this->EnsureValid;
+    options.polishingRounds =
+      this->EnsureValid && this->ImproveQuality && this->Method == AUTOMATIC ? PolishingRounds : 0;
+    options.parallelFor = hexsweep::smpFor();
+    hexsweep::SweepInterior interior =
+      hexsweep::sweepInterior(cage, starts, options, hexsweep::pipelineProgress(this, 0.05, 0.9));
+    clock.finish(interior.steps);
     SweptMesh mesh;
-    mesh.points = interior(cage.source.points, cage.target.points, cage.quads, cage.boundary,
-      hexsweep::pipelineProgress(this, 0.1, 0.8));
+    mesh.points = std::move(interior.points);
     if (this->OutputPointsPrecision == SINGLE_PRECISION)
     {
       // Judged as stored.
       mesh.points = mesh.points.cast<float>().cast<double>().eval();
     }
-    clock.finish("Interior");
 
     mesh.layers = cage.boundary.numberOfLayers();
     mesh.hexes = hexsweep::sweptHexes(cage.quads, mesh.points, mesh.layers);
@@ -311,12 +346,19 @@ int vtkCageHexInterior::RequestData(
     clock.finish("Quality");
     if (summary.inverted + summary.degenerate > 0)
     {
-      const std::string problem = describeProblem(mesh, summary, method);
+      const std::string problem = describeProblem(mesh, summary, interior);
       if (this->FailIfInvalid)
       {
         throw hexsweep::InvalidInput(problem);
       }
       vtkWarningMacro(<< problem);
+    }
+    if (this->Certify && summary.undecided > 0)
+    {
+      vtkWarningMacro(<< summary.undecided << " of " << summary.hexes
+                      << " hexahedra are undecided: their Jacobian comes too near to zero to be "
+                         "told from it. Threshold the cell array Validity (3) to see them, and "
+                         "treat them as inverted.");
     }
 
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
@@ -324,13 +366,14 @@ int vtkCageHexInterior::RequestData(
       hexsweep::newPoints(mesh.points, this->OutputPointsPrecision)));
     hexsweep::setCells(output, mesh.hexes, VTK_HEXAHEDRON);
     addPointArrays(sourceData, mesh, output);
-    addCellArrays(sourceData, cage.source.cellIds, mesh, output);
+    addCellArrays(sourceData, cage.sourceCellIds, mesh, output);
 
     vtkFieldData* fieldData = output->GetFieldData();
     fieldData->PassData(targetData->GetFieldData());
     fieldData->PassData(sourceData->GetFieldData());
     hexsweep::addQualityReport(fieldData, summary);
-    hexsweep::addReport(fieldData, "SweepReportMethod", method);
+    hexsweep::addReport(fieldData, "SweepReportMethod", interior.method);
+    addStepReport(fieldData, interior, options);
     clock.finish("Output");
     clock.report(fieldData);
   };

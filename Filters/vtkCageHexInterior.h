@@ -22,8 +22,13 @@
  * Arrays: point `SourcePointIds`, `SweepLayer`; cell `SourceCellIds`, `SweepLayer`,
  * `ScaledJacobian`, `JacobianLowerBound` and `Validity` (see vtkHexValidity, whose report is in the
  * field data as well); point and cell data of the source quads on every layer; field data of source
- * and target quads. Reported in the field data besides: `SweepReportMethod` (what really ran),
- * `SweepReportStages` and `SweepReportSeconds`.
+ * and target quads. Reported in the field data besides: `SweepReportMethod` (what really ran, e.g.
+ * "Blend + untangling + polish"), `SweepReportStages` and `SweepReportSeconds`; with EnsureValid
+ * also `SweepReportSteps` with `SweepReportStepNotCertified` (how many hexahedra are not certified
+ * after each step) and `SweepReportStepMended` (how many fewer than before it),
+ * `SweepReportFloorScaledJacobian` (the least scaled Jacobian of corners whose four nodes are on
+ * the boundary: no interior can be better) and `SweepReportCornerConflicts` (hexahedra with such a
+ * corner that is inverted: cap and linking side contradict each other).
  *
  * Inverted or degenerate hexahedra raise a warning that says how many, where the first ten are and
  * what to do. Input that cannot be swept raises one error, and the output is empty.
@@ -65,15 +70,16 @@ public:
   /// How the interior nodes are placed.
   enum MethodType
   {
-    AUTOMATIC = 0,            ///< the strongest method there is: Blend
+    AUTOMATIC = 0,            ///< from cheap to strong, up to the first that is certified
     BLEND = 1,                ///< affine images of both caps blended, corrected harmonically
     AFFINE_BOUNDARY_ERROR = 6 ///< affine maps and residuals by inverse distance, for comparison
   };
 
   ///@{
   /**
-   * The method; AUTOMATIC by default. `SweepReportMethod` in the field data of the output says what
-   * ran.
+   * The method; AUTOMATIC by default: BLEND, and where its hexahedra are not all certified, even
+   * after EnsureValid, the same with bulges of the caps that fade into the volume; the better is
+   * kept. `SweepReportMethod` in the field data of the output says what ran.
    */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
@@ -99,6 +105,28 @@ public:
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Untangle the hexahedra that are not certified: patches of three rings around them are optimised
+   * (Garanzha et al., "Foldover-free maps in 50 lines of code", 2021), all else stays as it is. On
+   * by default. Off returns what the method gives; other methods are compared with it off.
+   */
+  vtkSetMacro(EnsureValid, bool);
+  vtkGetMacro(EnsureValid, bool);
+  vtkBooleanMacro(EnsureValid, bool);
+  ///@}
+
+  ///@{
+  /**
+   * With the method AUTOMATIC and EnsureValid: raise the scaled Jacobians afterwards, a fixed
+   * number of times round the mesh. No certificate is lost, and the least scaled Jacobian never
+   * falls. On by default.
+   */
+  vtkSetMacro(ImproveQuality, bool);
+  vtkGetMacro(ImproveQuality, bool);
+  vtkBooleanMacro(ImproveQuality, bool);
   ///@}
 
   ///@{
@@ -136,6 +164,8 @@ private:
   int Method = AUTOMATIC;
   double MatchTolerance = 1e-6;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  bool EnsureValid = true;
+  bool ImproveQuality = true;
   bool Certify = true;
   bool FailIfInvalid = false;
 };

@@ -16,7 +16,7 @@ namespace hexsweep
 namespace
 {
 constexpr int FirstRings = 3;
-constexpr int Attempts = 3; // each with twice the rings
+constexpr int Attempts = 2; // the second with twice the rings
 constexpr int MaximumRounds = 200;
 /// Rounds in a row without progress that end the search.
 constexpr int StagnantRounds = 8;

@@ -152,6 +152,7 @@ TEST(CageHexInterior, NumberingAndArraysFollowTheLayers)
 {
   const Sweep sweep = someSweep();
   Case input(sweep);
+  input.filter->SetMethodToBlend();
   vtkUnstructuredGrid* output = input.run();
   EXPECT_EQ(input.events.errors.size(), 0u);
   EXPECT_EQ(input.events.warnings.size(), 0u);
@@ -229,7 +230,7 @@ TEST(CageHexInterior, ReportSaysWhatRan)
     return vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(name));
   };
   ASSERT_TRUE(text("SweepReportMethod") && text("SweepReportStages"));
-  EXPECT_EQ(text("SweepReportMethod")->GetValue(0), "Blend");
+  EXPECT_EQ(text("SweepReportMethod")->GetValue(0), std::string("Blend + polish"));
   EXPECT_EQ(text("SweepReportStages")->GetNumberOfValues(),
     output->GetFieldData()->GetArray("SweepReportSeconds")->GetNumberOfTuples());
 
@@ -567,15 +568,15 @@ TEST(CageHexInterior, DifferentConnectivity)
 TEST(CageHexInterior, MethodsThatDoNotExist)
 {
   Case input(someSweep());
-  input.filter->SetMethod(4);
-  input.expectError("not available in this version");
+  input.filter->SetMethod(7);
+  input.expectError("Method 7 does not exist");
 }
 
 TEST(CageHexInterior, AnErrorIsForgottenWhenTheInputIsMended)
 {
   Case input(someSweep());
-  input.filter->SetMethod(4);
-  input.expectError("not available");
+  input.filter->SetMethod(7);
+  input.expectError("does not exist");
   input.filter->SetMethodToBlend();
   EXPECT_GT(input.run()->GetNumberOfCells(), 0);
   EXPECT_EQ(input.events.errors.size(), 1u);
@@ -642,4 +643,78 @@ TEST(CageHexInterior, SingleAndDoublePrecisionInputsFitTogether)
   vtkUnstructuredGrid* output = input.run();
   EXPECT_EQ(input.events.errors.size() + input.events.warnings.size(), 0u);
   EXPECT_EQ(countInverted(output), 0);
+}
+
+TEST(CageHexInterior, LinkingSidesThatCollapseAreNamed)
+{
+  vtkNew<vtkSweepQuadProjector> projector;
+  projector->SetInputData(0, readCase("bad_rings", "source_quads.vtu"));
+  projector->SetInputData(1, readCase("bad_rings", "target_surface.vtu"));
+  projector->SetInputData(2, readCase("bad_rings", "linking_quads.vtu"));
+  projector->SetInputData(3, readCase("bad_rings", "source_surface.vtu"));
+  vtkNew<vtkCageHexInterior> filter;
+  test::Events events(filter);
+  filter->SetInputData(0, readCase("bad_rings", "source_quads.vtu"));
+  filter->SetInputConnection(1, projector->GetOutputPort());
+  filter->SetInputData(2, readCase("bad_rings", "linking_quads.vtu"));
+  filter->Update();
+  ASSERT_EQ(events.errors.size(), 1u);
+  // The hole has 32 nodes; its edges turn round between rings 5 and 6 of 12.
+  EXPECT_NE(events.errors[0].find("a hole (loop 1, 32 nodes"), std::string::npos)
+    << events.errors[0];
+  EXPECT_NE(events.errors[0].find("ring 6 is turned over against ring 5"), std::string::npos)
+    << events.errors[0];
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(CageHexInterior, EnsureValidAndImproveQualityDoWhatTheySay)
+{
+  // A square hole that turns by 120 degrees: Blend alone leaves inverted hexahedra.
+  const std::string name = "hole_twist120";
+  vtkNew<vtkSweepQuadProjector> projector;
+  projector->SetInputData(0, readCase(name, "source_quads.vtu"));
+  projector->SetInputData(1, readCase(name, "target_surface.vtu"));
+  projector->SetInputData(2, readCase(name, "linking_quads.vtu"));
+  projector->SetInputData(3, readCase(name, "source_surface.vtu"));
+  vtkNew<vtkCageHexInterior> filter;
+  test::Events events(filter);
+  filter->SetInputData(0, readCase(name, "source_quads.vtu"));
+  filter->SetInputConnection(1, projector->GetOutputPort());
+  filter->SetInputData(2, readCase(name, "linking_quads.vtu"));
+  const auto value = [&](const char* report) {
+    return filter->GetOutput()->GetFieldData()->GetArray(report)->GetTuple1(0);
+  };
+  const auto method = [&]() {
+    return std::string(vtkStringArray::SafeDownCast(
+      filter->GetOutput()->GetFieldData()->GetAbstractArray("SweepReportMethod"))
+                         ->GetValue(0));
+  };
+  filter->EnsureValidOff();
+  filter->Update();
+  const vtkIdType inverted = countInverted(filter->GetOutput());
+  EXPECT_GT(inverted, 0);
+  EXPECT_EQ(value("SweepReportInverted"), inverted);
+  EXPECT_EQ(method(), "Blend");
+  EXPECT_EQ(events.warnings.size(), 1u);
+
+  filter->EnsureValidOn();
+  filter->ImproveQualityOff();
+  filter->Update();
+  EXPECT_EQ(countInverted(filter->GetOutput()), 0);
+  EXPECT_EQ(value("SweepReportNotCertified"), 0);
+  EXPECT_EQ(method(), "Blend + untangling");
+  const double minimum = value("SweepReportMinScaledJacobian");
+  const double mean = value("SweepReportMeanScaledJacobian");
+
+  filter->ImproveQualityOn();
+  filter->Update();
+  EXPECT_EQ(value("SweepReportNotCertified"), 0);
+  EXPECT_EQ(method(), "Blend + untangling + polish");
+  EXPECT_GE(value("SweepReportMinScaledJacobian"), minimum);
+  EXPECT_GT(value("SweepReportMeanScaledJacobian"), mean + 0.01);
+  EXPECT_LE(value("SweepReportMinScaledJacobian"), value("SweepReportFloorScaledJacobian"));
+  EXPECT_EQ(value("SweepReportCornerConflicts"), 0);
+  EXPECT_EQ(events.warnings.size(), 1u);
+  EXPECT_EQ(
+    filter->GetOutput()->GetFieldData()->GetArray("SweepReportStepMended")->GetTuple1(1), inverted);
 }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepMethods.h"
+
+#include "Core/BlendInterior.h"
+#include "Core/BoundaryErrorInterior.h"
+#include "Core/Errors.h"
+#include "vtkCageHexInterior.h"
+
+namespace hexsweep
+{
+namespace
+{
+using Interior = Points (*)(
+  const PointsRef&, const PointsRef&, const QuadsRef&, const SweepBoundary&, const Progress&);
+
+InteriorStart start(const char* name, Interior interior)
+{
+  return { name, [interior](const SweepCage& cage, const Progress& progress) {
+            return interior(cage.source, cage.target, cage.quads, cage.boundary, progress);
+          } };
+}
+}
+
+std::vector<InteriorStart> interiorStarts(int method)
+{
+  const InteriorStart blend = start("Blend", blendInterior);
+  const InteriorStart fading = start("Blend with fading bulges", fadingBlendInterior);
+  switch (method)
+  {
+    case vtkCageHexInterior::AUTOMATIC:
+      return { blend, fading };
+    case vtkCageHexInterior::BLEND:
+      return { blend };
+    case vtkCageHexInterior::AFFINE_BOUNDARY_ERROR:
+      return { start("AffineBoundaryError", boundaryErrorInterior) };
+    default:
+      throw InvalidInput("Method " + std::to_string(method) +
+        " does not exist. Use AUTOMATIC (0), BLEND (1) or AFFINE_BOUNDARY_ERROR (6).");
+  }
+}
+}

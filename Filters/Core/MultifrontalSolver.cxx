@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace hexsweep
@@ -228,13 +229,75 @@ void MultifrontalSolver::factorize(const SparseMatrix& matrix)
 
 Eigen::MatrixXd MultifrontalSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const
 {
-  const bool cholesky = this->Factorization == Kind::Cholesky;
-  const Index n = b.rows();
-  Matrix x(n, b.cols()); // in the elimination order
-  for (Index k = 0; k < n; ++k)
+  std::vector<Index> all(this->Fronts.size());
+  std::iota(all.begin(), all.end(), Index{ 0 });
+  Matrix x(b.rows(), b.cols()); // in the elimination order
+  for (Index k = 0; k < b.rows(); ++k)
   {
     x.row(k) = b.row(this->Order[at(k)]);
   }
+  this->substitute(x, all);
+  Matrix result(b.rows(), b.cols());
+  for (Index k = 0; k < b.rows(); ++k)
+  {
+    result.row(this->Order[at(k)]) = x.row(k);
+  }
+  return result;
+}
+
+MultifrontalSolver::Selection MultifrontalSolver::select(const std::vector<Index>& rows) const
+{
+  Selection selection;
+  std::vector<bool> isSelected(this->Order.size(), false);
+  for (const Index row : rows)
+  {
+    selection.places.push_back(this->Place[at(row)]);
+    isSelected[at(selection.places.back())] = true;
+  }
+  // What is eliminated at a front is felt by those above it.
+  std::vector<bool> isFelt(this->Fronts.size(), false);
+  for (std::size_t f = 0; f < this->Fronts.size(); ++f)
+  {
+    const Front& front = this->Fronts[f];
+    const auto begin = isSelected.begin() + front.begin;
+    isFelt[f] = isFelt[f] || std::find(begin, begin + front.pivots, true) != begin + front.pivots;
+    if (isFelt[f])
+    {
+      selection.fronts.push_back(static_cast<Index>(f));
+      if (front.parent >= 0)
+      {
+        isFelt[at(front.parent)] = true;
+      }
+    }
+  }
+  return selection;
+}
+
+Eigen::MatrixXd MultifrontalSolver::solve(
+  const Selection& selection, const Eigen::Ref<const Eigen::MatrixXd>& b) const
+{
+  Matrix x(static_cast<Index>(this->Order.size()), b.cols());
+  for (const Index f : selection.fronts)
+  {
+    x.middleRows(this->Fronts[at(f)].begin, this->Fronts[at(f)].pivots).setZero();
+  }
+  for (Index k = 0; k < b.rows(); ++k)
+  {
+    x.row(selection.places[at(k)]) = b.row(k);
+  }
+  this->substitute(x, selection.fronts);
+  Matrix result(b.rows(), b.cols());
+  for (Index k = 0; k < b.rows(); ++k)
+  {
+    result.row(k) = x.row(selection.places[at(k)]);
+  }
+  return result;
+}
+
+/// Forwards and backwards, at the given fronts only; a front's border lies within those above it.
+void MultifrontalSolver::substitute(Eigen::MatrixXd& x, const std::vector<Index>& fronts) const
+{
+  const bool cholesky = this->Factorization == Kind::Cholesky;
   const auto factor = [this](const Front& front) {
     return Eigen::Map<const Matrix>(
       this->Values.data() + front.lower, front.pivots + front.borderSize, front.pivots);
@@ -242,8 +305,9 @@ Eigen::MatrixXd MultifrontalSolver::solve(const Eigen::Ref<const Eigen::MatrixXd
   // Column by column within a front: matrix-vector products need no packing, and the front stays in
   // the cache for the columns that follow.
   Eigen::VectorXd border;
-  for (const Front& front : this->Fronts)
+  for (const Index f : fronts)
   {
+    const Front& front = this->Fronts[at(f)];
     const auto panel = factor(front);
     const auto diagonal = panel.topRows(front.pivots);
     for (Index c = 0; c < x.cols(); ++c)
@@ -267,37 +331,32 @@ Eigen::MatrixXd MultifrontalSolver::solve(const Eigen::Ref<const Eigen::MatrixXd
       }
     }
   }
-  for (auto front = this->Fronts.rbegin(); front != this->Fronts.rend(); ++front)
+  for (auto f = fronts.rbegin(); f != fronts.rend(); ++f)
   {
-    const auto panel = factor(*front);
-    const auto diagonal = panel.topRows(front->pivots);
-    border.resize(front->borderSize);
+    const Front& front = this->Fronts[at(*f)];
+    const auto panel = factor(front);
+    const auto diagonal = panel.topRows(front.pivots);
+    border.resize(front.borderSize);
     for (Index c = 0; c < x.cols(); ++c)
     {
-      auto own = x.col(c).segment(front->begin, front->pivots);
-      for (Index k = 0; k < front->borderSize; ++k)
+      auto own = x.col(c).segment(front.begin, front.pivots);
+      for (Index k = 0; k < front.borderSize; ++k)
       {
-        border[k] = x(this->Borders[at(front->border + k)], c);
+        border[k] = x(this->Borders[at(front.border + k)], c);
       }
       if (cholesky)
       {
-        own.noalias() -= panel.bottomRows(front->borderSize).transpose() * border;
+        own.noalias() -= panel.bottomRows(front.borderSize).transpose() * border;
         diagonal.transpose().triangularView<Eigen::Upper>().solveInPlace(own);
       }
       else
       {
         own.noalias() -= Eigen::Map<const Matrix>(
-                           this->Values.data() + front->upper, front->pivots, front->borderSize) *
+                           this->Values.data() + front.upper, front.pivots, front.borderSize) *
           border;
         diagonal.triangularView<Eigen::Upper>().solveInPlace(own);
       }
     }
   }
-  Eigen::MatrixXd result(n, b.cols());
-  for (Index k = 0; k < n; ++k)
-  {
-    result.row(this->Order[at(k)]) = x.row(k);
-  }
-  return result;
 }
 }

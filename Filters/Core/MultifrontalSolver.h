@@ -50,6 +50,25 @@ public:
   /// @param b n x k. @return n x k.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
+  /// Some rows, and the parts of the factor that lead from them to each other.
+  struct Selection
+  {
+    std::vector<Index> places; // of the rows, in the elimination order
+    std::vector<Index> fronts; // rising
+  };
+
+  /// @param rows in [0, n).
+  Selection select(const std::vector<Index>& rows) const;
+
+  /**
+   * The selected rows of the solution where the right-hand side is zero at all others: the rest of
+   * the factor is not touched.
+   *
+   * @param b a row a selected row, k columns. @return the same shape.
+   */
+  Eigen::MatrixXd solve(
+    const Selection& selection, const Eigen::Ref<const Eigen::MatrixXd>& b) const;
+
 private:
   /// A part's pivots and the later rows that they touch (its border) form one dense matrix.
   struct Front
@@ -68,6 +87,7 @@ private:
   void extendAdd(const Front& front, Update& update, const Front& child, const Update& childUpdate,
     const std::vector<Index>& local);
   bool eliminate(const Front& front, Update& update);
+  void substitute(Eigen::MatrixXd& x, const std::vector<Index>& fronts) const;
 
   Kind Factorization;
   std::vector<int> Order;

@@ -149,6 +149,54 @@ TEST(MultifrontalSolver, CholeskyEqualsADenseSolve)
   }
 }
 
+TEST(MultifrontalSolver, SelectedRowsEqualThoseOfAWholeSolve)
+{
+  for (const auto& [name, matrix] : definiteMatrices())
+  {
+    SCOPED_TRACE(name);
+    const Index n = matrix.rows();
+    std::vector<Index> rows(static_cast<std::size_t>(n));
+    std::iota(rows.begin(), rows.end(), Index{ 0 });
+    std::shuffle(rows.begin(), rows.end(), std::mt19937(5));
+    for (const Kind kind : { Kind::Cholesky, Kind::LU })
+    {
+      MultifrontalSolver solver(matrix, kind);
+      solver.factorize(matrix);
+      for (const Index count : { Index{ 1 }, (n + 9) / 10, n })
+      {
+        const std::vector<Index> some(rows.begin(), rows.begin() + count);
+        const Eigen::MatrixXd right = randomMatrix(count, 2, 6);
+        Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, 2);
+        for (Index i = 0; i < count; ++i)
+        {
+          all.row(some[static_cast<std::size_t>(i)]) = right.row(i);
+        }
+        const Eigen::MatrixXd whole = solver.solve(all);
+        const Eigen::MatrixXd part = solver.solve(solver.select(some), right);
+        ASSERT_EQ(part.rows(), count);
+        for (Index i = 0; i < count; ++i)
+        {
+          EXPECT_LE((part.row(i) - whole.row(some[static_cast<std::size_t>(i)])).norm(),
+            1e-14 * whole.norm());
+        }
+      }
+    }
+  }
+}
+
+TEST(MultifrontalSolver, FewRowsTouchLittleOfTheFactor)
+{
+  const TriangleMesh mesh = test::disk(40, 120);
+  const SparseMatrix matrix =
+    shifted(hexsweep::cotangentLaplacian(mesh.points, mesh.triangles), 0.5);
+  const MultifrontalSolver solver(matrix, Kind::Cholesky, mesh.points);
+  std::vector<Index> rows(static_cast<std::size_t>(matrix.rows()));
+  std::iota(rows.begin(), rows.end(), Index{ 0 });
+  const std::size_t all = solver.select(rows).fronts.size();
+  EXPECT_LT(solver.select({ 17 }).fronts.size(), all / 20);
+  EXPECT_TRUE(solver.select({}).fronts.empty());
+}
+
 TEST(MultifrontalSolver, LUEqualsADenseSolveOnMeanValueLaplacians)
 {
   for (const TriangleMesh& mesh :

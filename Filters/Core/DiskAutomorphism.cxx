@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DiskAutomorphism.h"
 
-#include <limits>
 #include <numeric>
 
 namespace hexsweep
@@ -10,8 +9,12 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/// Steps towards the balance: each gains digits in proportion to how evenly the points lie.
+/// Far from the balance each step gains digits in proportion to how evenly the points lie.
 constexpr int MaximumSteps = 1000;
+
+/// Newton's steps are taken up to this length; one as short as the last squares to rounding.
+constexpr double LongestNewtonStep = 0.5;
+constexpr double LastNewtonStep = 1e-9;
 }
 
 DiskAutomorphism::DiskAutomorphism(const Complex& toOrigin, const Complex& turn)
@@ -35,24 +38,64 @@ Circle DiskAutomorphism::operator()(const Circle& circle) const
   return { { center.real(), center.imag() }, std::abs((*this)(c + r) - center) };
 }
 
-DiskAutomorphism balancingMap(const std::vector<double>& angles, const std::vector<double>& weights)
+double DiskAutomorphism::turnAt(const Complex& z) const
+{
+  // On the circle (z - a) / (1 - conj(a) z) is z w / conj(w) with this w in the right half plane.
+  const Complex w = 1.0 - this->ToOrigin * std::conj(z);
+  return 2.0 * std::atan2(w.imag(), w.real()) + std::arg(this->Turn);
+}
+
+std::vector<Complex> pointsAt(const std::vector<double>& angles)
+{
+  std::vector<Complex> points;
+  points.reserve(angles.size());
+  for (const double angle : angles)
+  {
+    points.push_back(std::polar(1.0, angle));
+  }
+  return points;
+}
+
+DiskAutomorphism balancingMap(
+  const std::vector<Complex>& points, const std::vector<double>& weights)
 {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   Complex toOrigin = 0.0;
   for (int step = 0; step < MaximumSteps; ++step)
   {
-    const DiskAutomorphism map(toOrigin, 1.0);
     Complex mean = 0.0;
-    for (std::size_t i = 0; i < angles.size(); ++i)
+    Complex square = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-      mean += weights[i] / total * map(std::polar(1.0, angles[i]));
+      // As in turnAt(); std::complex would check each product and quotient for infinities.
+      const double x = points[i].real();
+      const double y = points[i].imag();
+      const double u = 1.0 - toOrigin.real() * x - toOrigin.imag() * y;
+      const double v = toOrigin.real() * y - toOrigin.imag() * x;
+      const double norm = u * u + v * v;
+      const double c = (u * u - v * v) / norm;
+      const double s = 2.0 * u * v / norm;
+      const Complex z(x * c - y * s, x * s + y * c);
+      mean += weights[i] * z;
+      square +=
+        weights[i] * Complex(z.real() * z.real() - z.imag() * z.imag(), 2.0 * z.real() * z.imag());
     }
-    toOrigin = (mean + toOrigin) / (1.0 + std::conj(toOrigin) * mean);
-    if (std::abs(mean) <= std::numeric_limits<double>::epsilon())
+    mean /= total;
+    square /= total;
+    // Newton's step solves mean - a + square conj(a) = 0; the mean itself is a safe one.
+    const Complex newton = (mean + square * std::conj(mean)) / (1.0 - std::norm(square));
+    const Complex next = std::abs(newton) < LongestNewtonStep ? newton : mean;
+    toOrigin = (next + toOrigin) / (1.0 + std::conj(toOrigin) * next);
+    if (std::abs(newton) <= LastNewtonStep)
     {
       break;
     }
   }
   return { toOrigin, 1.0 };
+}
+
+DiskAutomorphism balancingMap(const std::vector<double>& angles, const std::vector<double>& weights)
+{
+  return balancingMap(pointsAt(angles), weights);
 }
 }

@@ -9,6 +9,7 @@
 #include "Circle.h"
 
 #include <complex>
+#include <vector>
 
 namespace hexsweep
 {
@@ -23,6 +24,9 @@ public:
 
   std::complex<double> operator()(const std::complex<double>& z) const;
   Circle operator()(const Circle& circle) const;
+
+  /// The angle by which a point of the unit circle is turned: continuous along it.
+  double turnAt(const std::complex<double>& z) const;
 
   /// The same map followed by a multiplication with a number of modulus 1.
   DiskAutomorphism turned(const std::complex<double>& by) const
@@ -45,6 +49,13 @@ private:
  */
 DiskAutomorphism balancingMap(
   const std::vector<double>& angles, const std::vector<double>& weights);
+
+/// The same of the points themselves, on the unit circle.
+DiskAutomorphism balancingMap(
+  const std::vector<std::complex<double>>& points, const std::vector<double>& weights);
+
+/// The points of the unit circle at these angles, in radians.
+std::vector<std::complex<double>> pointsAt(const std::vector<double>& angles);
 }
 
 #endif

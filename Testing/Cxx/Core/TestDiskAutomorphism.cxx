@@ -141,3 +141,31 @@ TEST(DiskAutomorphism, BalanceIsNatural)
     }
   }
 }
+
+TEST(DiskAutomorphism, TurnsOfPointsOnTheCircle)
+{
+  for (const DiskAutomorphism& map : someMaps())
+  {
+    double before = map.turnAt(1.0);
+    for (int i = 1; i <= 720; ++i)
+    {
+      const Complex z = std::polar(1.0, Pi * i / 360.0);
+      const double turn = map.turnAt(z);
+      EXPECT_LT(std::abs(map(z) - z * std::polar(1.0, turn)), 1e-12);
+      EXPECT_LT(std::abs(turn - before), 3.0); // no whole turn between
+      before = turn;
+    }
+  }
+}
+
+TEST(DiskAutomorphism, BalanceOfHeavyPoints)
+{
+  // Nearly half of the weight in one place: Newton's steps alone would leave the disk.
+  for (const double heavy : { 0.4, 0.49, 0.499 })
+  {
+    const std::vector<double> angles{ 0.0, 0.1, 0.3, 0.4 };
+    const std::vector<double> weights{ heavy, 0.5 - heavy, 0.2, 0.3 };
+    EXPECT_LT(std::abs(balance(hexsweep::balancingMap(angles, weights), angles, weights)), 1e-11)
+      << heavy;
+  }
+}

@@ -3,8 +3,6 @@
 
 #include "Constants.h"
 #include "DiskFill.h"
-#include "FillMesh.h"
-#include "LoopGeometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +19,13 @@ using Complex = std::complex<double>;
 /// pi.
 constexpr double MeanWeight = 0.1;
 
-/// Steps of conjugate gradients from nothing to a map, and from one map to the next; each gains
-/// about a digit.
-constexpr int StepsOfAMap = 4;
-constexpr int StepsOfACorrection = 2;
+/// What remains of the error that a change of the angles makes: less than the next change is.
+constexpr double StepReduction = 0.03;
+
+constexpr double Rounding = 1e-15;
+
+/// Of conjugate gradients, at each change of the angles.
+constexpr int MaximumSteps = 40;
 
 /// Below this arc the closed form cancels more digits than its series leaves out.
 constexpr double ShortArc = 1e-2;
@@ -53,100 +54,81 @@ Eigen::MatrixXd hatMoments(const std::vector<double>& angles)
   return moments;
 }
 
-/// Points that no triangle uses get a one on the diagonal, so that the matrix is not singular.
-SparseMatrix withoutEmptyRows(SparseMatrix matrix)
+/// Loop by loop.
+std::vector<Index> nodesOf(const std::vector<Loop>& loops)
 {
-  std::vector<Eigen::Triplet<double, int>> ones;
-  for (int i = 0; i < static_cast<int>(matrix.rows()); ++i)
+  std::vector<Index> nodes;
+  for (const Loop& loop : loops)
   {
-    if (matrix.outerIndexPtr()[i] == matrix.outerIndexPtr()[i + 1])
+    nodes.insert(nodes.end(), loop.begin(), loop.end());
+  }
+  return nodes;
+}
+
+/// What keeps the first loop's mean where it is, had each node a disk's even share of it.
+Eigen::VectorXd anchor(const std::vector<Loop>& loops)
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Index>(nodesOf(loops).size()));
+  const Index m = static_cast<Index>(loops[0].size());
+  result.head(m).setConstant(MeanWeight * 2.0 * Pi / static_cast<double>(m));
+  return result;
+}
+
+/// The Laplacian and the anchor; a one on the diagonal for points that no triangle uses.
+SparseMatrix anchored(
+  SparseMatrix laplacian, const Eigen::VectorXd& anchor, const std::vector<Loop>& loops)
+{
+  for (std::size_t i = 0; i < loops[0].size(); ++i)
+  {
+    laplacian.coeffRef(loops[0][i], loops[0][i]) += anchor[static_cast<Index>(i)];
+  }
+  std::vector<Eigen::Triplet<double, int>> ones;
+  for (int i = 0; i < static_cast<int>(laplacian.rows()); ++i)
+  {
+    if (laplacian.outerIndexPtr()[i] == laplacian.outerIndexPtr()[i + 1])
     {
       ones.emplace_back(i, i, 1.0);
     }
   }
   if (!ones.empty())
   {
-    SparseMatrix identity(matrix.rows(), matrix.rows());
+    SparseMatrix identity(laplacian.rows(), laplacian.rows());
     identity.setFromTriplets(ones.begin(), ones.end());
-    matrix += identity;
+    laplacian += identity;
   }
-  return matrix;
+  return laplacian;
 }
 }
 
 GluedSphere::GluedSphere(
-  const SparseMatrix& laplacian, std::vector<Loop> loops, const PointsRef& points)
-  : Laplacian(withoutEmptyRows(laplacian))
-  , Loops(std::move(loops))
-  , Source(Eigen::MatrixXd::Zero(laplacian.rows(), 2))
+  SparseMatrix laplacian, const std::vector<Loop>& loops, const PointsRef& points)
+  : GluedSphere(anchored(std::move(laplacian), anchor(loops), loops), loops, points, Anchored{})
 {
-  // Holes are filled where they are, the outer disk's mesh is turned inside out.
-  std::vector<Eigen::RowVector3d> places;
-  for (const Loop& loop : this->Loops)
+}
+
+GluedSphere::GluedSphere(const SparseMatrix& matrix, const std::vector<Loop>& loops,
+  const PointsRef& points, Anchored /*tag*/)
+  : Anchor(anchor(loops))
+  , Solver(matrix, MultifrontalSolver::Kind::Cholesky, points)
+  , LoopNodes(Solver.select(nodesOf(loops)))
+  , Source(Eigen::MatrixXd::Zero(Anchor.size(), 2))
+  , Image(Eigen::MatrixXd::Zero(Anchor.size(), 2))
+  , CapForces(Eigen::MatrixXd::Zero(Anchor.size(), 2))
+{
+  this->Solver.factorize(matrix);
+  this->First.push_back(0);
+  for (const Loop& loop : loops)
   {
-    this->FirstFillNode.push_back(laplacian.rows() + static_cast<Index>(places.size()));
-    const Points ring = loopPoints(points, loop);
-    const Eigen::RowVector3d center = ring.colwise().mean();
-    const Points fill = fillMesh(arcLengthAngles(ring)).points;
-    for (Index i = ring.rows(); i < fill.rows(); ++i)
-    {
-      const double radius = fill.row(i).norm();
-      const double turn = std::atan2(fill(i, 1), fill(i, 0)) / (2.0 * Pi);
-      const double along = (turn < 0.0 ? turn + 1.0 : turn) * static_cast<double>(ring.rows());
-      const Index node = std::min(static_cast<Index>(along), ring.rows() - 1);
-      const double reach = &loop == &this->Loops[0] ? 2.0 - radius : radius;
-      places.emplace_back(center + reach * (ring.row(node) - center));
-    }
-  }
-  this->FillPlaces.resize(laplacian.rows() + static_cast<Index>(places.size()), 3);
-  this->FillPlaces.topRows(laplacian.rows()) = points;
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    this->FillPlaces.row(laplacian.rows() + static_cast<Index>(i)) = places[i];
+    this->First.push_back(this->First.back() + static_cast<Index>(loop.size()));
   }
 }
 
-SparseMatrix GluedSphere::approximation(const std::vector<std::vector<double>>& angles) const
+PlanePoints GluedSphere::image(std::size_t loop) const
 {
-  const Index n = this->FillPlaces.rows();
-  Points points = Points::Zero(n, 3);
-  std::vector<Triangles> meshes;
-  Index count = 0;
-  for (std::size_t p = 0; p < this->Loops.size(); ++p)
-  {
-    TriangleMesh fill = fillMesh(angles[p]);
-    const Loop& loop = this->Loops[p];
-    const Index m = static_cast<Index>(loop.size());
-    const auto id = [&](Index i) {
-      return i < m ? loop[static_cast<std::size_t>(i)] : this->FirstFillNode[p] + i - m;
-    };
-    for (Index i = 0; i < fill.points.rows(); ++i)
-    {
-      points.row(id(i)) = fill.points.row(i);
-    }
-    meshes.push_back(fill.triangles.unaryExpr(id));
-    count += fill.triangles.rows();
-  }
-  Triangles triangles(count, 3);
-  Index row = 0;
-  for (const Triangles& mesh : meshes)
-  {
-    triangles.middleRows(row, mesh.rows()) = mesh;
-    row += mesh.rows();
-  }
-  SparseMatrix cap = this->Laplacian;
-  cap.conservativeResize(n, n);
-  SparseMatrix sum = cap + cotangentLaplacian(points, triangles);
-  const Eigen::MatrixXd moments = hatMoments(angles[0]);
-  for (std::size_t i = 0; i < this->Loops[0].size(); ++i)
-  {
-    const Index v = this->Loops[0][i];
-    sum.coeffRef(v, v) += MeanWeight * moments(static_cast<Index>(i), 0);
-  }
-  return sum;
+  return this->Image.middleRows(this->First[loop], this->First[loop + 1] - this->First[loop]);
 }
 
-void GluedSphere::glue(const std::vector<std::vector<double>>& angles)
+void GluedSphere::glue(const Gluing& angles)
 {
   this->Fills.clear();
   for (const std::vector<double>& loop : angles)
@@ -158,62 +140,36 @@ void GluedSphere::glue(const std::vector<std::vector<double>>& angles)
   this->Fills[0] += MeanWeight / (2.0 * Pi) * moments.col(0) * moments.col(0).transpose();
   // In the outer disk the map is w + (what vanishes at infinity) with w = e^(i angle) on the loop.
   // The flow of w, and what the rest costs on account of w, put the same on each node.
-  for (std::size_t i = 0; i < this->Loops[0].size(); ++i)
-  {
-    this->Source.row(this->Loops[0][i]) = 4.0 * moments.row(static_cast<Index>(i)).tail<2>();
-  }
+  this->Source.topRows(moments.rows()) = 4.0 * moments.rightCols(2);
 }
 
-void GluedSphere::map(const std::vector<std::vector<double>>& angles)
+Eigen::MatrixXd GluedSphere::fillForces(const Eigen::MatrixXd& values) const
 {
-  this->glue(angles);
-  const SparseMatrix matrix = this->approximation(angles);
-  if (!this->Solver)
+  Eigen::MatrixXd forces(values.rows(), 2);
+  for (std::size_t p = 0; p < this->Fills.size(); ++p)
   {
-    this->Solver.emplace(matrix, MultifrontalSolver::Kind::Cholesky, this->FillPlaces);
-  }
-  this->Solver->factorize(matrix);
-  this->Image = Eigen::MatrixXd::Zero(this->Laplacian.rows(), 2);
-  this->improve(StepsOfAMap);
-}
-
-void GluedSphere::correct(const std::vector<std::vector<double>>& angles)
-{
-  this->glue(angles);
-  this->improve(StepsOfACorrection);
-}
-
-Eigen::MatrixXd GluedSphere::apply(const Eigen::MatrixXd& image) const
-{
-  Eigen::MatrixXd result = this->Laplacian * image;
-  for (std::size_t p = 0; p < this->Loops.size(); ++p)
-  {
-    const Loop& loop = this->Loops[p];
-    Eigen::MatrixXd values(static_cast<Index>(loop.size()), 2);
-    for (std::size_t k = 0; k < loop.size(); ++k)
+    const Index size = this->First[p + 1] - this->First[p];
+    for (Index c = 0; c < 2; ++c)
     {
-      values.row(static_cast<Index>(k)) = image.row(loop[k]);
-    }
-    values = (this->Fills[p] * values).eval();
-    for (std::size_t k = 0; k < loop.size(); ++k)
-    {
-      result.row(loop[k]) += values.row(static_cast<Index>(k));
+      forces.col(c).segment(this->First[p], size).noalias() =
+        this->Fills[p] * values.col(c).segment(this->First[p], size);
     }
   }
-  return result;
+  return forces;
 }
 
-void GluedSphere::improve(int steps)
+void GluedSphere::map(const Gluing& angles)
 {
-  const Index n = this->Laplacian.rows();
-  Eigen::MatrixXd extended = Eigen::MatrixXd::Zero(this->FillPlaces.rows(), 2);
-  Eigen::MatrixXd residual = this->Source - this->apply(this->Image);
-  Eigen::MatrixXd direction = Eigen::MatrixXd::Zero(n, 2);
+  this->glue(angles);
+  const Index m = this->Source.rows();
+  Eigen::MatrixXd residual = this->Source - this->CapForces - this->fillForces(this->Image);
+  Eigen::MatrixXd direction = Eigen::MatrixXd::Zero(m, 2);
+  Eigen::MatrixXd preconditioned = Eigen::MatrixXd::Zero(m, 2); // the factor's matrix by it
   Eigen::RowVector2d before = Eigen::RowVector2d::Ones();
-  for (int step = 0; step < steps; ++step)
+  double enough = 0.0;
+  for (int step = 0; step < MaximumSteps; ++step)
   {
-    extended.topRows(n) = residual;
-    const Eigen::MatrixXd correction = this->Solver->solve(extended).topRows(n);
+    const Eigen::MatrixXd correction = this->Solver.solve(this->LoopNodes, residual);
     const Eigen::RowVector2d now = residual.cwiseProduct(correction).colwise().sum();
     if (!(now.minCoeff() > 0.0))
     {
@@ -222,12 +178,26 @@ void GluedSphere::improve(int steps)
     const Eigen::RowVector2d keep =
       step > 0 ? Eigen::RowVector2d(now.cwiseQuotient(before)) : Eigen::RowVector2d(0.0, 0.0);
     direction = correction + direction * keep.asDiagonal();
-    const Eigen::MatrixXd effect = this->apply(direction);
+    preconditioned = residual + preconditioned * keep.asDiagonal();
+    // The cap's matrix, its inner nodes eliminated, times the direction.
+    const Eigen::MatrixXd capForces = preconditioned - this->Anchor.asDiagonal() * direction;
+    const Eigen::MatrixXd forces = capForces + this->fillForces(direction);
     const Eigen::RowVector2d length =
-      now.cwiseQuotient(direction.cwiseProduct(effect).colwise().sum());
+      now.cwiseQuotient(direction.cwiseProduct(forces).colwise().sum());
     this->Image += direction * length.asDiagonal();
-    residual -= effect * length.asDiagonal();
+    this->CapForces += capForces * length.asDiagonal();
+    residual -= forces * length.asDiagonal();
     before = now;
+    const double gain = now.cwiseProduct(length).sum();
+    if (step == 0)
+    {
+      enough = std::max(StepReduction * StepReduction * gain,
+        Rounding * Rounding * this->Source.cwiseProduct(this->Image).sum());
+    }
+    if (gain <= enough)
+    {
+      return;
+    }
   }
 }
 }

@@ -21,7 +21,7 @@ namespace
 /// Changes of the angles within a round.
 constexpr int ChangesPerRound = 2;
 
-/// Changes of the angles above this many radians call for a new factor.
+/// Changes of the angles above this many radians tell nothing about the next ones.
 constexpr double SettledAngle = 0.02;
 
 /// Former changes from which the next one is extrapolated.
@@ -54,15 +54,17 @@ void appendUnwrapped(Angles& angles, double angle)
 }
 
 /// Angles that a Moebius map of the disk balances, turned as a whole towards a reference.
-Angles balanced(const Angles& angles, const std::vector<double>& weights, const Angles& reference)
+/// @param points at the angles.
+Angles balanced(const Angles& angles, const std::vector<Complex>& points,
+  const std::vector<double>& weights, const Angles& reference)
 {
-  const DiskAutomorphism map = balancingMap(angles, weights);
-  Angles result;
+  const DiskAutomorphism map = balancingMap(points, weights);
+  Angles result = angles;
   double turn = 0.0;
   double total = 0.0;
   for (std::size_t i = 0; i < angles.size(); ++i)
   {
-    appendUnwrapped(result, std::arg(map(std::polar(1.0, angles[i]))));
+    result[i] += map.turnAt(points[i]);
     turn += weights[i] * (result[i] - reference[i]);
     total += weights[i];
   }
@@ -78,38 +80,40 @@ Angles balanced(const Angles& angles, const std::vector<double>& weights, const 
 struct LoopImage
 {
   Circle circle;
-  Angles angles; // unwrapped along the loop
+  Angles angles;               // unwrapped along the loop
+  std::vector<Complex> points; // of the unit circle at these angles
   double circularity = 0.0;
 };
 
-LoopImage fitCircle(
-  const Eigen::MatrixXd& image, const Loop& loop, const std::vector<double>& weights)
+LoopImage fitCircle(const PlanePoints& image, const std::vector<double>& weights)
 {
   // |z|^2 = 2 Re(conj(c) z) + (r^2 - |c|^2) is linear in c and in the bracket. Shifted and scaled
   // to the loop itself, so that small holes lose no digits.
-  const Eigen::RowVector2d origin = image.row(loop[0]);
+  const Eigen::RowVector2d origin = image.row(0);
   double size = 0.0;
-  for (const Index v : loop)
+  for (Index i = 0; i < image.rows(); ++i)
   {
-    size = std::max(size, (image.row(v) - origin).norm());
+    size = std::max(size, (image.row(i) - origin).norm());
   }
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < loop.size(); ++i)
+  for (Index i = 0; i < image.rows(); ++i)
   {
-    const Eigen::RowVector2d p = (image.row(loop[i]) - origin) / size;
+    const double weight = weights[static_cast<std::size_t>(i)];
+    const Eigen::RowVector2d p = (image.row(i) - origin) / size;
     const Eigen::Vector3d row(2.0 * p.x(), 2.0 * p.y(), 1.0);
-    normal += weights[i] * row * row.transpose();
-    right += weights[i] * p.squaredNorm() * row;
+    normal += weight * row * row.transpose();
+    right += weight * p.squaredNorm() * row;
   }
   const Eigen::Vector3d fit = normal.ldlt().solve(right);
   LoopImage result;
   result.circle.center = origin + size * fit.head<2>().transpose();
   result.circle.radius = size * std::sqrt(fit[2] + fit.head<2>().squaredNorm());
-  for (const Index v : loop)
+  for (Index i = 0; i < image.rows(); ++i)
   {
-    const Eigen::RowVector2d arm = image.row(v) - result.circle.center;
+    const Eigen::RowVector2d arm = image.row(i) - result.circle.center;
     appendUnwrapped(result.angles, std::atan2(arm.y(), arm.x()));
+    result.points.emplace_back(arm.x() / arm.norm(), arm.y() / arm.norm());
     result.circularity =
       std::max(result.circularity, std::abs(arm.norm() / result.circle.radius - 1.0));
   }
@@ -126,10 +130,9 @@ Circle relativeTo(const Circle& unit, const Circle& circle)
 class KoebeIteration
 {
 public:
-  KoebeIteration(
-    const PointsRef& points, const SparseMatrix& laplacian, const std::vector<Loop>& loops)
+  KoebeIteration(const PointsRef& points, SparseMatrix laplacian, const std::vector<Loop>& loops)
     : Loops(loops)
-    , Sphere(laplacian, loops, points)
+    , Sphere(std::move(laplacian), loops, points)
   {
     for (const Loop& loop : loops)
     {
@@ -139,7 +142,7 @@ public:
         angle *= this->direction(this->Gluing.size());
       }
       this->Weights.push_back(nodeLengths(points, loop));
-      this->Gluing.push_back(balanced(angles, this->Weights.back(), angles));
+      this->Gluing.push_back(balanced(angles, pointsAt(angles), this->Weights.back(), angles));
     }
   }
 
@@ -151,18 +154,11 @@ public:
       {
         this->changeGluing();
       }
-      if (this->GreatestChange > SettledAngle)
-      {
-        this->Sphere.map(this->Gluing);
-      }
-      else
-      {
-        this->Sphere.correct(this->Gluing);
-      }
+      this->Sphere.map(this->Gluing);
       this->Images.clear();
       for (std::size_t p = 0; p < this->Loops.size(); ++p)
       {
-        this->Images.push_back(fitCircle(this->Sphere.image(), this->Loops[p], this->Weights[p]));
+        this->Images.push_back(fitCircle(this->Sphere.image(p), this->Weights[p]));
       }
     }
     const DiskAutomorphism map = this->normalization();
@@ -200,9 +196,9 @@ private:
 
   DiskAutomorphism normalization() const
   {
-    const Angles& outer = this->Images[0].angles;
+    const std::vector<Complex>& outer = this->Images[0].points;
     const DiskAutomorphism map = balancingMap(outer, this->Weights[0]);
-    const Complex first = map(std::polar(1.0, outer[0]));
+    const Complex first = map(outer[0]);
     return map.turned(std::conj(first) / std::abs(first));
   }
 
@@ -210,7 +206,8 @@ private:
   Angles proposal(std::size_t p) const
   {
     const Angles& now = this->Gluing[p];
-    const Angles target = balanced(this->Images[p].angles, this->Weights[p], now);
+    const Angles target =
+      balanced(this->Images[p].angles, this->Images[p].points, this->Weights[p], now);
     const std::size_t m = now.size();
     const auto error = [&](std::size_t i) { return target[i % m] - now[i % m]; };
     for (double overshoot = 1.0; overshoot > 0.01; overshoot *= 0.5)
@@ -268,7 +265,7 @@ private:
       const Index m = static_cast<Index>(proposals[p].size());
       const Angles next(mixed.data() + first, mixed.data() + first + m);
       const Angles& taken = turnsOnce(next, direction(p)) ? next : proposals[p];
-      this->Gluing[p] = balanced(taken, this->Weights[p], taken);
+      this->Gluing[p] = balanced(taken, pointsAt(taken), this->Weights[p], taken);
       first += m;
     }
   }
@@ -281,7 +278,6 @@ private:
 
   Eigen::VectorXd extrapolate(const Step& step)
   {
-    // Far from the fixed point former steps mislead.
     if (this->GreatestChange > SettledAngle)
     {
       this->Former.clear();

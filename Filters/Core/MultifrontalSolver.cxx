@@ -229,20 +229,9 @@ void MultifrontalSolver::factorize(const SparseMatrix& matrix)
 
 Eigen::MatrixXd MultifrontalSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const
 {
-  std::vector<Index> all(this->Fronts.size());
-  std::iota(all.begin(), all.end(), Index{ 0 });
-  Matrix x(b.rows(), b.cols()); // in the elimination order
-  for (Index k = 0; k < b.rows(); ++k)
-  {
-    x.row(k) = b.row(this->Order[at(k)]);
-  }
-  this->substitute(x, all);
-  Matrix result(b.rows(), b.cols());
-  for (Index k = 0; k < b.rows(); ++k)
-  {
-    result.row(this->Order[at(k)]) = x.row(k);
-  }
-  return result;
+  std::vector<Index> fronts(this->Fronts.size());
+  std::iota(fronts.begin(), fronts.end(), Index{ 0 });
+  return this->solve({ this->Place, std::move(fronts) }, b);
 }
 
 MultifrontalSolver::Selection MultifrontalSolver::select(const std::vector<Index>& rows) const
@@ -276,87 +265,80 @@ MultifrontalSolver::Selection MultifrontalSolver::select(const std::vector<Index
 Eigen::MatrixXd MultifrontalSolver::solve(
   const Selection& selection, const Eigen::Ref<const Eigen::MatrixXd>& b) const
 {
-  Matrix x(static_cast<Index>(this->Order.size()), b.cols());
-  for (const Index f : selection.fronts)
-  {
-    x.middleRows(this->Fronts[at(f)].begin, this->Fronts[at(f)].pivots).setZero();
-  }
-  for (Index k = 0; k < b.rows(); ++k)
-  {
-    x.row(selection.places[at(k)]) = b.row(k);
-  }
-  this->substitute(x, selection.fronts);
   Matrix result(b.rows(), b.cols());
-  for (Index k = 0; k < b.rows(); ++k)
+  std::vector<RowPair> x(this->Order.size()); // in the elimination order
+  for (Index c = 0; c < b.cols(); c += 2)
   {
-    result.row(k) = x.row(selection.places[at(k)]);
+    const Index second = std::min(c + 1, b.cols() - 1);
+    for (const Index f : selection.fronts)
+    {
+      const Front& front = this->Fronts[at(f)];
+      std::fill_n(x.begin() + front.begin, front.pivots, RowPair(0.0, 0.0));
+    }
+    for (Index k = 0; k < b.rows(); ++k)
+    {
+      x[at(selection.places[at(k)])] = { b(k, c), b(k, second) };
+    }
+    this->substitute(x, selection.fronts);
+    for (Index k = 0; k < b.rows(); ++k)
+    {
+      const RowPair& row = x[at(selection.places[at(k)])];
+      result(k, c) = row[0];
+      result(k, second) = row[second - c];
+    }
   }
   return result;
 }
 
 /// Forwards and backwards, at the given fronts only; a front's border lies within those above it.
-void MultifrontalSolver::substitute(Eigen::MatrixXd& x, const std::vector<Index>& fronts) const
+void MultifrontalSolver::substitute(std::vector<RowPair>& x, const std::vector<Index>& fronts) const
 {
   const bool cholesky = this->Factorization == Kind::Cholesky;
-  const auto factor = [this](const Front& front) {
-    return Eigen::Map<const Matrix>(
-      this->Values.data() + front.lower, front.pivots + front.borderSize, front.pivots);
-  };
-  // Column by column within a front: matrix-vector products need no packing, and the front stays in
-  // the cache for the columns that follow.
-  Eigen::VectorXd border;
+  std::vector<RowPair> y; // the rows of a front
   for (const Index f : fronts)
   {
     const Front& front = this->Fronts[at(f)];
-    const auto panel = factor(front);
-    const auto diagonal = panel.topRows(front.pivots);
-    for (Index c = 0; c < x.cols(); ++c)
+    const Index size = front.pivots + front.borderSize;
+    const Index* border = this->Borders.data() + front.border;
+    y.resize(std::max(y.size(), at(size)));
+    for (Index k = 0; k < front.pivots; ++k)
     {
-      auto own = x.col(c).segment(front.begin, front.pivots);
-      if (cholesky)
-      {
-        diagonal.triangularView<Eigen::Lower>().solveInPlace(own);
-      }
-      else
-      {
-        const Eigen::PermutationMatrix<Eigen::Dynamic> pivoting(Eigen::VectorXi(
-          Eigen::Map<const Eigen::VectorXi>(this->Pivoting.data() + front.begin, front.pivots)));
-        own = (pivoting * own).eval();
-        diagonal.triangularView<Eigen::UnitLower>().solveInPlace(own);
-      }
-      border.noalias() = panel.bottomRows(front.borderSize) * own;
-      for (Index k = 0; k < front.borderSize; ++k)
-      {
-        x(this->Borders[at(front.border + k)], c) -= border[k];
-      }
+      const Index row = cholesky ? k : Index{ this->Pivoting[at(front.begin + k)] };
+      y[at(row)] = x[at(front.begin + k)];
+    }
+    for (Index k = 0; k < front.borderSize; ++k)
+    {
+      y[at(front.pivots + k)] = x[at(border[k])];
+    }
+    substituteForward(this->Values.data() + front.lower, size, front.pivots, !cholesky, y.data());
+    std::copy_n(y.begin(), front.pivots, x.begin() + front.begin);
+    for (Index k = 0; k < front.borderSize; ++k)
+    {
+      x[at(border[k])] = y[at(front.pivots + k)];
     }
   }
   for (auto f = fronts.rbegin(); f != fronts.rend(); ++f)
   {
     const Front& front = this->Fronts[at(*f)];
-    const auto panel = factor(front);
-    const auto diagonal = panel.topRows(front.pivots);
-    border.resize(front.borderSize);
-    for (Index c = 0; c < x.cols(); ++c)
+    const Index size = front.pivots + front.borderSize;
+    const Index* border = this->Borders.data() + front.border;
+    std::copy_n(x.begin() + front.begin, front.pivots, y.begin());
+    for (Index k = 0; k < front.borderSize; ++k)
     {
-      auto own = x.col(c).segment(front.begin, front.pivots);
-      for (Index k = 0; k < front.borderSize; ++k)
-      {
-        border[k] = x(this->Borders[at(front.border + k)], c);
-      }
-      if (cholesky)
-      {
-        own.noalias() -= panel.bottomRows(front.borderSize).transpose() * border;
-        diagonal.transpose().triangularView<Eigen::Upper>().solveInPlace(own);
-      }
-      else
-      {
-        own.noalias() -= Eigen::Map<const Matrix>(
-                           this->Values.data() + front.upper, front.pivots, front.borderSize) *
-          border;
-        diagonal.triangularView<Eigen::Upper>().solveInPlace(own);
-      }
+      y[at(front.pivots + k)] = x[at(border[k])];
     }
+    const double* panel = this->Values.data() + front.lower;
+    if (cholesky)
+    {
+      substituteTransposed(panel, size, front.pivots, y.data());
+    }
+    else
+    {
+      subtractProduct(this->Values.data() + front.upper, front.pivots, front.pivots,
+        front.borderSize, y.data() + front.pivots, y.data());
+      substituteBackward(panel, size, front.pivots, y.data());
+    }
+    std::copy_n(y.begin(), front.pivots, x.begin() + front.begin);
   }
 }
 }

@@ -7,6 +7,7 @@
 #define hexsweep_MultifrontalSolver_h
 
 #include "NestedDissection.h"
+#include "PanelSubstitution.h"
 
 namespace hexsweep
 {
@@ -87,7 +88,7 @@ private:
   void extendAdd(const Front& front, Update& update, const Front& child, const Update& childUpdate,
     const std::vector<Index>& local);
   bool eliminate(const Front& front, Update& update);
-  void substitute(Eigen::MatrixXd& x, const std::vector<Index>& fronts) const;
+  void substitute(std::vector<RowPair>& x, const std::vector<Index>& fronts) const;
 
   Kind Factorization;
   std::vector<int> Order;

@@ -32,6 +32,6 @@ run(cmake, "--build", "build")
 run(os.path.join(scratch, "build", "sweep"))
 judged = os.path.join(scratch, "c_open.vtu")
 with open(judged, "rb") as file:
-    head = file.read(4096).decode("latin-1")
+    head = file.read(65536).decode("latin-1")
 if 'NumberOfCells="11440"' not in head:
     sys.exit("the program did not write the 11440 hexes of c_open")

@@ -3,197 +3,393 @@
 
 #include "Errors.h"
 
-#include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
-
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <memory>
+#include <mutex>
 #include <utility>
 
 namespace hexsweep
 {
 namespace
 {
-using Sparse = Eigen::SparseMatrix<double>;
+// Of the greatest given value, for one mode; their errors add up like random numbers.
+constexpr double ModeAccuracy = 1e-12;
 
-/// Rows and columns of a matrix, picked; the result has exactly the entries that are stored.
-Sparse block(
-  const Sparse& matrix, const std::vector<Index>& rows, const std::vector<Index>& columns)
+// Pieces of work between two questions whether to go on, where other threads do it.
+constexpr Index PiecesAtOnce = 8;
+
+constexpr Index PointsPerPanel = PanelWidth / 3;
+// Points that are transformed together: all modes of them stay in the cache.
+constexpr Index PointsAtOnce = 4 * PointsPerPanel;
+constexpr Index PointsPerPiece = 32 * PointsAtOnce;
+
+std::size_t at(Index i)
 {
-  std::vector<int> newRow(static_cast<std::size_t>(matrix.rows()), -1);
-  for (std::size_t i = 0; i < rows.size(); ++i)
+  return static_cast<std::size_t>(i);
+}
+
+// Entries of IsGiven, besides 0.
+constexpr char Given = 1;
+constexpr char Unused = 2;
+
+std::vector<char> givenPoints(const QuadLaplacian& laplacian, const std::vector<Index>& fixedPoints)
+{
+  std::vector<char> given(at(laplacian.mass.cols()), 0);
+  for (const Index id : fixedPoints)
   {
-    newRow[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
+    given.at(at(id)) = Given;
   }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t j = 0; j < columns.size(); ++j)
+  for (Index i = 0; i < laplacian.mass.cols(); ++i)
   {
-    for (Sparse::InnerIterator entry(matrix, columns[j]); entry; ++entry)
+    if (!Eigen::SparseMatrix<double>::InnerIterator(laplacian.mass, i))
     {
-      const int row = newRow[static_cast<std::size_t>(entry.row())];
-      if (row >= 0)
+      given[at(i)] = Unused;
+    }
+  }
+  return given;
+}
+
+/// Solvers that no thread uses at the moment.
+class IdleSolvers
+{
+public:
+  IdleSolvers(const HelmholtzMesh& mesh, const PrismKernels& kernels)
+    : Mesh(mesh)
+    , Kernels(kernels)
+  {
+  }
+
+  std::unique_ptr<HelmholtzBatchSolver> take()
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    if (this->Idle.empty())
+    {
+      return std::make_unique<HelmholtzBatchSolver>(this->Mesh, this->Kernels);
+    }
+    auto solver = std::move(this->Idle.back());
+    this->Idle.pop_back();
+    return solver;
+  }
+
+  void giveBack(std::unique_ptr<HelmholtzBatchSolver> solver)
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    this->Idle.push_back(std::move(solver));
+  }
+
+private:
+  const HelmholtzMesh& Mesh;
+  const PrismKernels& Kernels;
+  std::mutex Guard;
+  std::vector<std::unique_ptr<HelmholtzBatchSolver>> Idle;
+};
+
+/// Runs pieces of work and asks after every piece, or every few where other threads run them.
+void runPieces(const ParallelFor& parallelFor, const Progress& progress, Index count,
+  const std::function<void(Index)>& piece)
+{
+  const Index group = parallelFor ? PiecesAtOnce : 1;
+  for (Index first = 0; first < count; first += group)
+  {
+    reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
+    forPieces(parallelFor, std::min(group, count - first), 1,
+      [&](Index begin, Index) { piece(first + begin); });
+  }
+}
+}
+
+PrismSolver::PrismSolver(const QuadLaplacian& laplacian, const Eigen::VectorXd& layerHeights,
+  const std::vector<Index>& fixedPoints)
+  : NumberOfPoints(laplacian.stiffness.rows())
+  , Modes(layerModes(layerHeights))
+  , Stiffness(laplacian.stiffness)
+  , IsGiven(givenPoints(laplacian, fixedPoints))
+{
+  this->Mesh = helmholtzMesh(laplacian, this->IsGiven);
+  const Eigen::MatrixXd& functions = this->Modes.functions;
+  const Index inner = functions.cols();
+  if (!this->Modes.isSymmetric)
+  {
+    this->Synthesis = functions;
+    return;
+  }
+  const Index half = (inner + 1) / 2;
+  this->Synthesis.resize(half, inner);
+  for (Index j = 0; j < inner; ++j)
+  {
+    this->Synthesis.col(j % 2 == 0 ? j / 2 : half + j / 2) = functions.col(j).head(half);
+  }
+}
+
+PrismSolver::PrismSolver(const QuadLaplacian& laplacian, Index numberOfLayers, double layerHeight,
+  const std::vector<Index>& fixedPoints)
+  : PrismSolver(laplacian,
+      Eigen::VectorXd::Constant(std::max<Index>(numberOfLayers, 0), layerHeight), fixedPoints)
+{
+}
+
+PrismSolver::CapLoad PrismSolver::capLoad(const Points& values) const
+{
+  const Index n = this->NumberOfPoints;
+  CapLoad load;
+  const Index top = (this->Modes.fractions.size() - 1) * n;
+  bool zero = true;
+  for (Index i = 0; i < n && zero; ++i)
+  {
+    zero = this->IsGiven[at(i)] == Unused ||
+      (values.row(i).isZero(0.0) && values.row(top + i).isZero(0.0));
+  }
+  if (zero)
+  {
+    return load;
+  }
+  const Points first = -(this->Stiffness * values.topRows(n));
+  const Points last = -(this->Stiffness * values.bottomRows(n));
+  load.first.resize(this->Mesh.size(), 3);
+  load.last.resize(this->Mesh.size(), 3);
+  for (Index i = 0; i < this->Mesh.size(); ++i)
+  {
+    load.first.row(i) = first.row(this->Mesh.ids[at(i)]);
+    load.last.row(i) = last.row(this->Mesh.ids[at(i)]);
+  }
+  return load;
+}
+
+/// Modes x 3 numbers for each given point; what the caps carry inside is subtracted.
+Eigen::MatrixXd PrismSolver::sideCoefficients(const Points& values) const
+{
+  const Index n = this->NumberOfPoints;
+  const Index layers = this->Modes.fractions.size() - 1;
+  Eigen::MatrixXd sides(layers - 1, 3 * static_cast<Index>(this->Mesh.given.size()));
+  for (Index g = 0; g < static_cast<Index>(this->Mesh.given.size()); ++g)
+  {
+    const Index id = this->Mesh.given[at(g)];
+    for (Index k = 1; k < layers; ++k)
+    {
+      const double t = this->Modes.fractions[k];
+      sides.block<1, 3>(k - 1, 3 * g) =
+        values.row(k * n + id) - (1.0 - t) * values.row(id) - t * values.row(layers * n + id);
+    }
+  }
+  return this->Modes.analysis * sides;
+}
+
+HelmholtzProblems PrismSolver::problems(
+  Index batch, const Eigen::MatrixXd& sides, const CapLoad& caps, double accuracy) const
+{
+  const Index modes = this->Modes.eigenvalues.size();
+  HelmholtzProblems problems;
+  problems.loadEnd = caps.first.rows() > 0 ? this->Mesh.size() : this->Mesh.levels[1];
+  problems.load.assign(at(problems.loadEnd * BatchWidth), 0.0);
+  for (Index lane = 0; lane < LanesPerBatch; ++lane)
+  {
+    const Index mode = std::min(batch * LanesPerBatch + lane, modes - 1);
+    const double lambda = this->Modes.eigenvalues[mode];
+    problems.lambda[at(lane)] = lambda;
+    problems.tolerance[at(lane)] = accuracy / this->Modes.functions.col(mode).cwiseAbs().maxCoeff();
+    if (batch * LanesPerBatch + lane >= modes)
+    {
+      continue; // no load: nothing to solve
+    }
+    problems.amplitude[at(lane)] = sides.cols() > 0 ? sides.row(mode).cwiseAbs().maxCoeff() : 0.0;
+    for (Index i = 0; i < problems.loadEnd; ++i)
+    {
+      Eigen::RowVector3d load = Eigen::RowVector3d::Zero();
+      const MatrixPart& coupling = this->Mesh.coupling;
+      for (Index e = coupling.begin[at(i)]; e < coupling.begin[at(i + 1)]; ++e)
       {
-        entries.emplace_back(row, static_cast<int>(j), entry.value());
+        load -= (coupling.inDouble.stiffness[at(e)] + lambda * coupling.inDouble.mass[at(e)]) *
+          sides.block<1, 3>(mode, 3 * static_cast<Index>(coupling.column[at(e)]));
+      }
+      if (caps.first.rows() > 0)
+      {
+        load += this->Modes.firstLoad[mode] * caps.first.row(i) +
+          this->Modes.lastLoad[mode] * caps.last.row(i);
+      }
+      for (Index c = 0; c < 3; ++c)
+      {
+        problems.load[at(i * BatchWidth + c * LanesPerBatch + lane)] = load[c];
       }
     }
   }
-  Sparse result(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  return problems;
 }
 
-/// S(j, k) = sin(pi (j + 1) (k + 1) / L), symmetric, S S = L / 2.
-Eigen::MatrixXd sineMatrix(Index layers)
+/// Coefficients of mode j go where the values of layer j + 1 will be.
+void PrismSolver::storeModes(Index batch, const HelmholtzSolution& solution, Points& values) const
 {
-  Eigen::MatrixXd sine(layers - 1, layers - 1);
-  const double pi = std::acos(-1.0);
-  for (Index j = 1; j < layers; ++j)
+  const Index first = batch * LanesPerBatch;
+  const Index count = std::min<Index>(LanesPerBatch, this->Modes.eigenvalues.size() - first);
+  for (Index i = 0; i < this->Mesh.size(); ++i)
+  {
+    const bool isZero = i >= solution.size;
+    const double* from = solution.values.data() + (isZero ? 0 : i * BatchWidth);
+    double* to = values.data() + 3 * ((first + 1) * this->NumberOfPoints + this->Mesh.ids[at(i)]);
+    for (Index lane = 0; lane < count; ++lane)
+    {
+      for (Index c = 0; c < 3; ++c)
+      {
+        to[3 * lane * this->NumberOfPoints + c] = isZero ? 0.0 : from[c * LanesPerBatch + lane];
+      }
+    }
+  }
+}
+
+/// From coefficients to values on the inner layers; both inner x PanelWidth.
+void PrismSolver::synthesizePanel(
+  const PrismKernels& kernels, const double* coefficients, double* values) const
+{
+  const Index inner = this->Modes.eigenvalues.size();
+  const double* functions = this->Synthesis.data();
+  if (!this->Modes.isSymmetric)
+  {
+    kernels.multiply(inner, inner, functions, inner, coefficients, PanelWidth, values);
+    return;
+  }
+  // Even functions make the mean of layers k and L - k, odd ones half their difference.
+  const Index half = (inner + 1) / 2;
+  const Index odd = inner / 2;
+  Panel even(half, PanelWidth);
+  Panel uneven(half, PanelWidth);
+  kernels.multiply(half, half, functions, inner, coefficients, 2 * PanelWidth, even.data());
+  kernels.multiply(
+    half, odd, functions + half, inner, coefficients + PanelWidth, 2 * PanelWidth, uneven.data());
+  Eigen::Map<Panel> layers(values, inner, PanelWidth);
+  layers.topRows(half) = even + uneven;
+  layers.bottomRows(odd) = (even - uneven).topRows(odd).colwise().reverse();
+}
+
+/// The same in place, for points [begin, end), of which there are at most PointsAtOnce.
+void PrismSolver::synthesize(const PrismKernels& kernels, Index begin, Index end, bool hasCaps,
+  Panel& coefficients, Panel& layers, Points& values) const
+{
+  const Index n = this->NumberOfPoints;
+  const Index inner = this->Modes.eigenvalues.size();
+  const Index panels = (end - begin + PointsPerPanel - 1) / PointsPerPanel;
+  const auto widthOf = [&](Index panel) {
+    return 3 * std::min(PointsPerPanel, end - begin - panel * PointsPerPanel);
+  };
+  // The columns of given points are transformed with the others, and not used.
+  for (Index j = 0; j < inner; ++j)
+  {
+    const double* from = values.data() + 3 * ((j + 1) * n + begin);
+    for (Index panel = 0; panel < panels; ++panel)
+    {
+      std::memcpy(coefficients.data() + (panel * inner + j) * PanelWidth, from + panel * PanelWidth,
+        at(widthOf(panel)) * sizeof(double));
+    }
+  }
+  for (Index panel = 0; panel < panels; ++panel)
+  {
+    const Index offset = panel * inner * PanelWidth;
+    this->synthesizePanel(kernels, coefficients.data() + offset, layers.data() + offset);
+  }
+  const bool allFree = std::all_of(this->IsGiven.begin() + begin, this->IsGiven.begin() + end,
+    [](char given) { return given == 0; });
+  for (Index k = 0; k < inner; ++k)
+  {
+    if (allFree && !hasCaps)
+    {
+      double* to = values.data() + 3 * ((k + 1) * n + begin);
+      for (Index panel = 0; panel < panels; ++panel)
+      {
+        std::memcpy(to + panel * PanelWidth, layers.data() + (panel * inner + k) * PanelWidth,
+          at(widthOf(panel)) * sizeof(double));
+      }
+      continue;
+    }
+    const double t = this->Modes.fractions[k + 1];
+    for (Index i = begin; i < end; ++i)
+    {
+      if (this->IsGiven[at(i)])
+      {
+        continue;
+      }
+      const Index panel = (i - begin) / PointsPerPanel;
+      auto value = values.row((k + 1) * n + i);
+      value = layers.block<1, 3>(panel * inner + k, 3 * ((i - begin) % PointsPerPanel));
+      if (hasCaps)
+      {
+        value += (1.0 - t) * values.row(i) + t * values.row((inner + 1) * n + i);
+      }
+    }
+  }
+}
+
+double PrismSolver::greatestGiven(const Points& values) const
+{
+  const Index n = this->NumberOfPoints;
+  const Index layers = this->Modes.fractions.size() - 1;
+  double greatest = 0.0;
+  double sum = 0.0; // a maximum may pass over what is not a number, a sum never does
+  const auto look = [&](Index row) {
+    greatest = std::max(greatest, values.row(row).cwiseAbs().maxCoeff());
+    sum += values.row(row).cwiseAbs().sum();
+  };
+  for (Index i = 0; i < n; ++i)
+  {
+    if (this->IsGiven[at(i)] != Unused)
+    {
+      look(i);
+      look(layers * n + i);
+    }
+  }
+  for (const Index id : this->Mesh.given)
   {
     for (Index k = 1; k < layers; ++k)
     {
-      // Reduced to one period, which keeps the argument and so its rounding error small.
-      const Index phase = (j * k) % (2 * layers);
-      sine(j - 1, k - 1) = std::sin(pi * static_cast<double>(phase) / static_cast<double>(layers));
+      look(k * n + id);
     }
   }
-  return sine;
+  if (!std::isfinite(sum))
+  {
+    throw SolverFailure("the prism's Laplace equation has boundary values that are not finite.");
+  }
+  return greatest;
 }
 
-/// Values of some points on the inner layers: one row a layer, three columns a point.
-Eigen::MatrixXd gatherColumns(
-  const PointsRef& values, Index pointsPerLayer, Index layers, const std::vector<Index>& ids)
+Points PrismSolver::extend(
+  Points values, const Progress& progress, const ParallelFor& parallelFor) const
 {
-  Eigen::MatrixXd gathered(layers - 1, 3 * static_cast<Index>(ids.size()));
-  for (Index k = 1; k < layers; ++k)
-  {
-    for (std::size_t i = 0; i < ids.size(); ++i)
-    {
-      gathered.block<1, 3>(k - 1, 3 * static_cast<Index>(i)) =
-        values.row(k * pointsPerLayer + ids[i]);
-    }
-  }
-  return gathered;
-}
-
-/// One row of such a matrix as points.
-Points rowAsPoints(const Eigen::MatrixXd& gathered, Index row)
-{
-  const Eigen::RowVectorXd values = gathered.row(row);
-  return Eigen::Map<const Points>(values.data(), values.size() / 3, 3);
-}
-}
-
-PrismSolver::PrismSolver(QuadLaplacian laplacian, Index numberOfLayers, double layerHeight,
-  const std::vector<Index>& fixedPoints)
-  : Laplacian(std::move(laplacian))
-  , NumberOfLayers(numberOfLayers)
-  , LayerHeight(layerHeight)
-{
-  const Index n = this->Laplacian.stiffness.rows();
-  if (numberOfLayers < 1)
-  {
-    throw InvalidInput("the number of layers must be at least 1.");
-  }
-  if (!(layerHeight > 0.0) || !std::isfinite(layerHeight))
-  {
-    throw InvalidInput("the height of a layer must be positive: source and target coincide.");
-  }
-  std::vector<char> fixed(static_cast<std::size_t>(n), 0);
-  for (const Index id : fixedPoints)
-  {
-    fixed.at(static_cast<std::size_t>(id)) = 1;
-  }
-  for (Index i = 0; i < n; ++i)
-  {
-    const bool unused = Sparse::InnerIterator(this->Laplacian.mass, i) ? false : true;
-    (fixed[static_cast<std::size_t>(i)] || unused ? this->Fixed : this->Free).push_back(i);
-  }
-}
-
-Points PrismSolver::extend(const PointsRef& values, const Progress& progress) const
-{
-  const Index n = this->Laplacian.stiffness.rows();
-  const Index layers = this->NumberOfLayers;
+  const Index n = this->NumberOfPoints;
+  const Index layers = this->Modes.fractions.size() - 1;
   if (values.rows() != (layers + 1) * n)
   {
     throw InvalidInput("the prism needs one value for each point on each layer.");
   }
-  Points result = values;
-  if (layers == 1 || this->Free.empty())
+  if (layers == 1 || this->Mesh.size() == 0)
   {
-    return result;
+    return values;
   }
+  const double greatest = this->greatestGiven(values);
+  const double accuracy = ModeAccuracy * (greatest > 0.0 ? greatest : 1.0);
+  const CapLoad caps = this->capLoad(values);
+  const bool hasCaps = caps.first.rows() > 0;
+  const Eigen::MatrixXd sides = this->sideCoefficients(values);
 
-  const Sparse& K = this->Laplacian.stiffness;
-  const Sparse& M = this->Laplacian.mass;
-  const Sparse freeK = block(K, this->Free, this->Free);
-  const Sparse freeM = block(M, this->Free, this->Free);
-  const Sparse sideK = block(K, this->Free, this->Fixed);
-  const Sparse sideM = block(M, this->Free, this->Fixed);
-  const double h = this->LayerHeight;
-
-  // What layers 0 and L add to the right-hand sides of layers 1 and L - 1.
-  const auto capLoad = [&](const Points& cap) -> Points {
-    const Points load = M * (cap / h) - K * (cap * (h / 6.0));
-    Points picked(static_cast<Index>(this->Free.size()), 3);
-    for (std::size_t i = 0; i < this->Free.size(); ++i)
-    {
-      picked.row(static_cast<Index>(i)) = load.row(this->Free[i]);
-    }
-    return picked;
-  };
-  const Points bottomLoad = capLoad(values.topRows(n));
-  const Points topLoad = capLoad(values.bottomRows(n));
-
-  const Eigen::MatrixXd sine = sineMatrix(layers);
-  const double scale = 2.0 / static_cast<double>(layers);
-  const Eigen::MatrixXd sideModes = scale * (sine * gatherColumns(values, n, layers, this->Fixed));
-  Eigen::MatrixXd modes =
-    Eigen::MatrixXd::Zero(layers - 1, 3 * static_cast<Index>(this->Free.size()));
-
-  Eigen::SimplicialLLT<Sparse> solver;
-  Sparse matrix = freeK;
-  solver.analyzePattern(matrix);
-  const double pi = std::acos(-1.0);
-  for (Index j = 1; j < layers; ++j)
-  {
-    reportProgress(progress, static_cast<double>(j - 1) / static_cast<double>(layers));
-    const double cosine = std::cos(pi * static_cast<double>(j) / static_cast<double>(layers));
-    const double massFactor = h / 3.0 * (2.0 + cosine);
-    const double stiffnessFactor = 2.0 / h * (1.0 - cosine);
-
-    const Points side = rowAsPoints(sideModes, j - 1);
-    const Points load = sideK * (-massFactor * side) + sideM * (-stiffnessFactor * side) +
-      scale * (sine(j - 1, 0) * bottomLoad + sine(j - 1, layers - 2) * topLoad);
-    if (load.isZero(0.0))
-    {
-      continue;
-    }
-    // Same sparsity: stiffness and mass come from the same quads.
-    matrix.coeffs() = massFactor * freeK.coeffs() + stiffnessFactor * freeM.coeffs();
-    solver.factorize(matrix);
-    if (solver.info() != Eigen::Success)
-    {
-      throw SolverFailure("the prism's Laplace equation could not be factorised (mode " +
-        std::to_string(j) + "): the target quads may be collapsed.");
-    }
-    const Points solution = solver.solve(load);
-    if (solver.info() != Eigen::Success || !solution.allFinite())
-    {
-      throw SolverFailure("the prism's Laplace equation could not be solved (mode " +
-        std::to_string(j) + "): the target quads may be collapsed.");
-    }
-    modes.row(j - 1) = Eigen::Map<const Eigen::RowVectorXd>(solution.data(), solution.size());
-  }
-
-  const Eigen::MatrixXd inner = sine * modes;
-  for (Index k = 1; k < layers; ++k)
-  {
-    for (std::size_t i = 0; i < this->Free.size(); ++i)
-    {
-      result.row(k * n + this->Free[i]) = inner.block<1, 3>(k - 1, 3 * static_cast<Index>(i));
-    }
-  }
+  const PrismKernels& kernels = prismKernels();
+  IdleSolvers solvers(this->Mesh, kernels);
+  const Index batches = (layers - 1 + LanesPerBatch - 1) / LanesPerBatch;
+  runPieces(parallelFor, progressPart(progress, 0.0, 0.8), batches, [&](Index batch) {
+    auto solver = solvers.take();
+    const HelmholtzProblems problems = this->problems(batch, sides, caps, accuracy);
+    this->storeModes(batch, solver->solve(problems), values);
+    solvers.giveBack(std::move(solver));
+  });
+  runPieces(parallelFor, progressPart(progress, 0.8, 1.0),
+    (n + PointsPerPiece - 1) / PointsPerPiece, [&](Index piece) {
+      Panel coefficients = Panel::Zero(PointsAtOnce / PointsPerPanel * (layers - 1), PanelWidth);
+      Panel layerValues(coefficients.rows(), PanelWidth);
+      const Index end = std::min((piece + 1) * PointsPerPiece, n);
+      for (Index begin = piece * PointsPerPiece; begin < end; begin += PointsAtOnce)
+      {
+        this->synthesize(kernels, begin, std::min(begin + PointsAtOnce, end), hasCaps, coefficients,
+          layerValues, values);
+      }
+    });
   reportProgress(progress, 1.0);
-  return result;
+  return values;
 }
 }

@@ -6,7 +6,10 @@
 #ifndef hexsweep_PrismSolver_h
 #define hexsweep_PrismSolver_h
 
+#include "HelmholtzBatch.h"
+#include "LayerModes.h"
 #include "Mesh.h"
+#include "ParallelFor.h"
 #include "QuadLaplacian.h"
 
 #include <vector>
@@ -14,49 +17,80 @@
 namespace hexsweep
 {
 /**
- * Solves Laplace's equation on a prism: a quad mesh times L layers of equal height.
+ * Solves Laplace's equation on a prism: a quad mesh times L layers.
  *
  * The prism is the topological model of section 4.2 of Cai and Tautges (2013): the target quads
  * translated. On it, the trilinear finite element Laplacian is K2 x M1 + M2 x K1 with the bilinear
- * matrices K2, M2 of the quads (see quadLaplacian()) and the linear ones of the layers,
- * M1 = h/6 tridiag(1, 4, 1), K1 = 1/h tridiag(-1, 2, -1). Both have the eigenvectors
- * sin(pi j k / L), so a discrete sine transform along the layers leaves one sparse problem
- * (m_j K2 + k_j M2) u_j = f_j on the quads for each mode j = 1 ... L - 1, with
- * m_j = h/3 (2 + cos(pi j / L)) and k_j = 2/h (1 - cos(pi j / L)): the fast Poisson solvers of
- * Buzbee, Golub, Nielson ("On direct methods for solving Poisson's equations", 1970). The
- * result equals that of the assembled three-dimensional system, to rounding.
+ * matrices K2, M2 of the quads (see quadLaplacian()) and the linear ones of the layers, M1 and K1.
+ * The eigenfunctions of K1 f = lambda M1 f (sines where the layers are equal, see layerModes())
+ * leave one sparse problem (K2 + lambda_j M2) u_j = f_j on the quads for each mode j = 1 ... L - 1:
+ * the fast Poisson solvers of Buzbee, Golub, Nielson ("On direct methods for solving Poisson's
+ * equations", 1970). Eight modes with their three components are solved side by side, see
+ * solveHelmholtz().
+ *
+ * The result equals that of the assembled three-dimensional system to 1e-10 of the greatest given
+ * value; the modes are solved to about 1e-12 of it. It is the same, bit for bit, with any number of
+ * threads, but the last bits depend on the instruction set of the processor (see prismKernels()).
  */
 class PrismSolver
 {
 public:
   /**
-   * @param laplacian      matrices of the quad mesh with n points.
-   * @param numberOfLayers L >= 1.
-   * @param layerHeight    height of one layer, > 0, in the unit of the quad mesh.
-   * @param fixedPoints    ids of the points whose values are given on all layers (the boundary of
+   * @param laplacian    matrices of the quad mesh with n points.
+   * @param layerHeights heights of the L >= 1 layers, each > 0, in the unit of the quad mesh.
+   * @param fixedPoints  ids of the points whose values are given on all layers (the boundary of
    *        the quad mesh). Points that no quad uses count as fixed, too.
    * @throw InvalidInput for arguments out of range.
+   * @throw SolverFailure for heights that differ by too many orders of magnitude.
    */
-  PrismSolver(QuadLaplacian laplacian, Index numberOfLayers, double layerHeight,
+  PrismSolver(const QuadLaplacian& laplacian, const Eigen::VectorXd& layerHeights,
+    const std::vector<Index>& fixedPoints);
+
+  /// The same with equal layers.
+  PrismSolver(const QuadLaplacian& laplacian, Index numberOfLayers, double layerHeight,
     const std::vector<Index>& fixedPoints);
 
   /**
    * The discrete harmonic function with the given boundary values, three components at once.
    *
    * @param values (L + 1) n x 3, row k n + i is point i on layer k. Read are the rows of layers 0
-   *        and L, and of the fixed points on all layers.
+   *        and L, and of the fixed points on all layers. Move it in: no second array of this size
+   *        is made.
+   * @param progress asked from the calling thread only.
+   * @param parallelFor the threads to use.
    * @return the same rows, the others filled in; rows that were read are returned bit for bit.
-   * @throw SolverFailure when a factorisation fails (coordinates that are not finite).
+   * @throw SolverFailure when a mode cannot be solved (coordinates that are not finite).
    * @throw Aborted when progress returns false.
    */
-  Points extend(const PointsRef& values, const Progress& progress = {}) const;
+  Points extend(
+    Points values, const Progress& progress = {}, const ParallelFor& parallelFor = {}) const;
 
 private:
-  QuadLaplacian Laplacian;
-  Index NumberOfLayers;
-  double LayerHeight;
-  std::vector<Index> Free;
-  std::vector<Index> Fixed;
+  Index NumberOfPoints;
+  LayerModes Modes;
+  HelmholtzMesh Mesh;
+  Eigen::SparseMatrix<double> Stiffness;
+  std::vector<char> IsGiven;
+  /// Row k - 1 is layer k: the functions; for equal layers the lower half of the layers only, the
+  /// even functions first.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Synthesis;
+
+  /// What the caps' values add to the right-hand sides, or no rows where all of them are zero.
+  struct CapLoad
+  {
+    Points first, last;
+  };
+  CapLoad capLoad(const Points& values) const;
+  Eigen::MatrixXd sideCoefficients(const Points& values) const;
+  HelmholtzProblems problems(
+    Index batch, const Eigen::MatrixXd& sides, const CapLoad& caps, double accuracy) const;
+  void storeModes(Index batch, const HelmholtzSolution& solution, Points& values) const;
+  using Panel = Eigen::Matrix<double, Eigen::Dynamic, PanelWidth, Eigen::RowMajor>;
+  double greatestGiven(const Points& values) const;
+  void synthesizePanel(
+    const PrismKernels& kernels, const double* coefficients, double* values) const;
+  void synthesize(const PrismKernels& kernels, Index begin, Index end, bool hasCaps,
+    Panel& coefficients, Panel& layers, Points& values) const;
 };
 }
 

@@ -13,9 +13,6 @@ namespace
 {
 using Scalars = std::array<double, BatchWidth>;
 
-// How much of the neglected fill goes to the diagonal: measured on meshes of 1k to 50k quads.
-constexpr double Relaxation = 0.95;
-
 std::size_t at(Index i)
 {
   return static_cast<std::size_t>(i);
@@ -77,6 +74,9 @@ struct Precision<double>
     return mesh.system(n, lambda);
   }
   static constexpr double reduction = 1e-13;
+  // Symmetric Gauss-Seidel, which nothing makes unstable: double precision is for hard cases.
+  static constexpr double relaxation = 0.0;
+  static constexpr double leastPivot = 1.0;
 };
 
 template <>
@@ -89,6 +89,9 @@ struct Precision<float>
   }
   /// Of the residual, before it has to be computed anew in double precision.
   static constexpr double reduction = 1e-5;
+  // Iterations on 10k and 42k quads, 100 and 215 layers: 18 for 0, 14 for 0.9, 13 for 0.98.
+  static constexpr float relaxation = 0.98f;
+  static constexpr float leastPivot = 0.1f;
 };
 }
 
@@ -116,7 +119,8 @@ public:
     }
     V.t.resize(at(allocated * BatchWidth));
     std::fill(V.t.begin() + size * BatchWidth, V.t.end(), Real(0));
-    Steps.factorize(System, static_cast<Real>(Relaxation), V.pivot.data(), V.inverse.data());
+    Steps.factorize(System, Precision<Real>::relaxation, Precision<Real>::leastPivot,
+      V.pivot.data(), V.inverse.data());
     double stiffness = 0.0;
     double mass = 0.0;
     for (Index i = 0; i < size; ++i)

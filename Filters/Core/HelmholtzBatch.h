@@ -39,9 +39,9 @@ struct HelmholtzSolution
  * Conjugate gradients in single precision inside iterative refinement in double precision, with
  * the preconditioner of PrismKernels.h, relaxed modified incomplete Cholesky (O. Axelsson, G.
  * Lindskog, "On the eigenvalue distribution of a class of preconditioning methods", 1986); double
- * precision throughout where that does not converge. Only nodes that the solution reaches take
- * part: with no load inside, it falls like exp(-sqrt(lambda) d) with the distance d to the given
- * nodes. That is estimated first, and checked on the solution.
+ * precision with symmetric Gauss-Seidel where that does not converge. Only nodes that the solution
+ * reaches take part: with no load inside, it falls like exp(-sqrt(lambda) d) with the distance d to
+ * the given nodes. That is estimated first, and checked on the solution.
  *
  * An object keeps its memory from batch to batch and serves one thread at a time; a result does not
  * depend on what was solved before.

@@ -56,9 +56,10 @@ struct HelmholtzSystem
 template <typename Real>
 struct HelmholtzKernels
 {
-  /// D; `relaxation` is how much of the neglected fill is added to the diagonal (0 ... 1).
+  /// D. `relaxation` is how much of the neglected fill is added to the diagonal (0 ... 1), `least`
+  /// the least pivot over the diagonal entry; 0 and 1 give the symmetric Gauss-Seidel method.
   void (*factorize)(
-    const HelmholtzSystem<Real>& system, Real relaxation, Real* pivot, Real* inverse);
+    const HelmholtzSystem<Real>& system, Real relaxation, Real least, Real* pivot, Real* inverse);
   /// r = (D + L)^-1 b; returns sum r D r of each lane.
   void (*start)(const HelmholtzSystem<Real>& system, const Real* inverse, const Real* pivot,
     const Real* b, Real* r, double* rho);

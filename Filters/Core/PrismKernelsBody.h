@@ -62,18 +62,41 @@ struct Pack
   Vector v[Registers];
 };
 
+// One register at a time: a longer copy is split otherwise than it is read, and waits for itself.
+template <typename Vector, typename Real>
+inline Vector loadVector(const Real* from)
+{
+  Vector result;
+  __builtin_memcpy(&result, from, sizeof(result));
+  return result;
+}
+
+template <typename Vector, typename Real>
+inline void storeVector(Real* to, const Vector& value)
+{
+  __builtin_memcpy(to, &value, sizeof(value));
+}
+
 template <typename Real>
 inline Pack<Real> load(const Real* from)
 {
   Pack<Real> result;
-  __builtin_memcpy(&result, from, sizeof(result));
+  constexpr int width = sizeof(result.v[0]) / sizeof(Real);
+  for (int i = 0; i < Pack<Real>::Registers; ++i)
+  {
+    result.v[i] = loadVector<typename Pack<Real>::Vector>(from + i * width);
+  }
   return result;
 }
 
 template <typename Real>
 inline void store(Real* to, const Pack<Real>& value)
 {
-  __builtin_memcpy(to, &value, sizeof(value));
+  constexpr int width = sizeof(value.v[0]) / sizeof(Real);
+  for (int i = 0; i < Pack<Real>::Registers; ++i)
+  {
+    storeVector(to + i * width, value.v[i]);
+  }
 }
 
 template <typename Real>
@@ -104,18 +127,6 @@ HEXSWEEP_PACK_OPERATOR(*)
 HEXSWEEP_PACK_OPERATOR(/)
 #undef HEXSWEEP_PACK_OPERATOR
 
-/// a + b c with a number b.
-template <typename Real>
-inline Pack<Real> plusTimes(const Pack<Real>& a, Real b, const Pack<Real>& c)
-{
-  Pack<Real> result;
-  for (int i = 0; i < Pack<Real>::Registers; ++i)
-  {
-    result.v[i] = a.v[i] + b * c.v[i];
-  }
-  return result;
-}
-
 template <typename Real>
 inline Pack<Real> spread(Real value)
 {
@@ -138,11 +149,27 @@ inline Pack<Real> greater(const Pack<Real>& a, const Pack<Real>& b)
   return result;
 }
 
+template <typename Real>
+inline Pack<Real> negative(const Pack<Real>& a)
+{
+  Pack<Real> result;
+  for (int i = 0; i < Pack<Real>::Registers; ++i)
+  {
+    result.v[i] = a.v[i] < 0 ? a.v[i] : 0 * a.v[i];
+  }
+  return result;
+}
+
 /// K + lambda M.
 template <typename Real>
 inline Pack<Real> entry(Real stiffness, Real mass, const Pack<Real>& lambda)
 {
-  return plusTimes(spread(stiffness), mass, lambda);
+  Pack<Real> result;
+  for (int i = 0; i < Pack<Real>::Registers; ++i)
+  {
+    result.v[i] = mass * lambda.v[i] + stiffness;
+  }
+  return result;
 }
 
 template <typename Real>
@@ -228,10 +255,10 @@ inline Node<Real> loadNode(const Real* from, Size node)
 template <typename Real>
 inline void storeNode(Real* to, Size node, const Node<Real>& value)
 {
-  for (int c = 0; c < 3; ++c)
-  {
-    store(to + node * BatchWidth + c * LanesPerBatch, value.v[c]);
-  }
+  // No loop: GCC would take the values through memory.
+  store(to + node * BatchWidth, value.v[0]);
+  store(to + node * BatchWidth + LanesPerBatch, value.v[1]);
+  store(to + node * BatchWidth + 2 * LanesPerBatch, value.v[2]);
 }
 
 /// sum - (a part of a row) x
@@ -265,14 +292,14 @@ inline void subtractUpper(const HelmholtzSystem<Real>& a, Size row, const Pack<R
 }
 
 template <typename Real>
-void factorize(const HelmholtzSystem<Real>& a, Real relaxation, Real* pivot, Real* inverse)
+void factorize(
+  const HelmholtzSystem<Real>& a, Real relaxation, Real least, Real* pivot, Real* inverse)
 {
   const Pack<Real> lambda = load(a.lambda);
   const Pack<Real> one = spread(Real(1));
   const Pack<Real> kept = spread(Real(1) - relaxation);
   const Pack<Real> moved = spread(relaxation);
-  // The preconditioner is positive definite whatever its diagonal, as long as that is positive.
-  const Pack<Real> least = spread(Real(0.1));
+  const Pack<Real> floor = spread(least);
   for (Size i = 0; i < a.size; ++i)
   {
     const Pack<Real> diagonal = entry(a.stiffness[i], a.mass[i], lambda);
@@ -282,9 +309,13 @@ void factorize(const HelmholtzSystem<Real>& a, Real relaxation, Real* pivot, Rea
       const Size k = a.lowerColumn[e];
       const Pack<Real> weight = entry(a.lowerStiffness[e], a.lowerMass[e], lambda);
       const Pack<Real> row = entry(a.upperStiffnessSum[k], a.upperMassSum[k], lambda);
-      value = value - weight * load(inverse + k * LanesPerBatch) * (kept * weight + moved * row);
+      // Fill is moved where entries are negative only: where the mass matrix prevails, all are
+      // positive, and moving it makes the triangular solves unstable.
+      const Pack<Real> square = weight * weight;
+      const Pack<Real> fill = kept * square + moved * negative(weight) * negative(row);
+      value = value - load(inverse + k * LanesPerBatch) * greater(square, fill);
     }
-    value = greater(value, least * diagonal);
+    value = greater(value, floor * diagonal);
     store(pivot + i * LanesPerBatch, value);
     store(inverse + i * LanesPerBatch, one / value);
   }
@@ -437,7 +468,10 @@ inline void multiplyBlock(
   for (Size j = 0; j < inner; ++j)
   {
     Vector row[VectorsAtOnce];
-    __builtin_memcpy(row, b + j * strideOfB, sizeof(row));
+    for (int v = 0; v < VectorsAtOnce; ++v)
+    {
+      row[v] = loadVector<Vector>(b + j * strideOfB + v * DoublesPerVector);
+    }
     for (int i = 0; i < Rows; ++i)
     {
       const double factor = a[i * strideOfA + j];
@@ -449,7 +483,10 @@ inline void multiplyBlock(
   }
   for (int i = 0; i < Rows; ++i)
   {
-    __builtin_memcpy(c + i * PanelWidth, sum[i], sizeof(sum[i]));
+    for (int v = 0; v < VectorsAtOnce; ++v)
+    {
+      storeVector(c + i * PanelWidth + v * DoublesPerVector, sum[i][v]);
+    }
   }
 }
 

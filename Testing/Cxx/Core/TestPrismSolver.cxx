@@ -9,11 +9,16 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cstring>
 #include <random>
+#include <thread>
 
 namespace
 {
 using hexsweep::Index;
+using hexsweep::ParallelFor;
 using hexsweep::Points;
 using hexsweep::PrismSolver;
 using hexsweep::Quads;
@@ -75,10 +80,11 @@ Eigen::Matrix<double, 8, 8> hexStiffness(const Eigen::Matrix<double, 8, 3>& corn
 }
 
 /// Dirichlet problem on the prism, assembled as a dense matrix.
-Points solveInThreeDimensions(const Points& cap, const Quads& quads, Index layers, double height,
+Points solveInThreeDimensions(const Points& cap, const Quads& quads, const Eigen::VectorXd& heights,
   const std::vector<Index>& fixed, const Points& values)
 {
   const Index n = cap.rows();
+  const Index layers = heights.size();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero((layers + 1) * n, (layers + 1) * n);
   for (Index k = 0; k < layers; ++k)
   {
@@ -91,7 +97,7 @@ Points solveInThreeDimensions(const Points& cap, const Quads& quads, Index layer
         const Index layer = k + a / 4;
         ids[a] = layer * n + quads(q, a % 4);
         corners.row(a) = cap.row(quads(q, a % 4));
-        corners(a, 2) += height * static_cast<double>(layer);
+        corners(a, 2) += heights.head(layer).sum();
       }
       const auto element = hexStiffness(corners);
       for (int a = 0; a < 8; ++a)
@@ -141,6 +147,37 @@ void clearCaps(Points& values, const std::vector<Index>& fixed, Index n)
   }
   values = kept;
 }
+
+/// The greatest difference from the assembled solve over the greatest given value, which is 1.
+double differenceFromAssembly(
+  const Sweep& sweep, const Eigen::VectorXd& heights, bool caps, const ParallelFor& threads = {})
+{
+  const Index n = sweep.source.rows();
+  const auto fixed = boundaryOf(sweep);
+  Points values = randomValues((heights.size() + 1) * n);
+  if (!caps)
+  {
+    clearCaps(values, fixed, n);
+  }
+  const PrismSolver prism(hexsweep::quadLaplacian(sweep.source, sweep.quads), heights, fixed);
+  const Points expected = solveInThreeDimensions(sweep.source, sweep.quads, heights, fixed, values);
+  return test::greatestDistance(prism.extend(values, {}, threads), expected);
+}
+
+/// Threads of the standard library, which take the pieces as they come.
+void twoThreads(Index count, const std::function<void(Index)>& call)
+{
+  std::atomic<Index> next{ 0 };
+  const auto work = [&] {
+    for (Index i = next++; i < count; i = next++)
+    {
+      call(i);
+    }
+  };
+  std::thread other(work);
+  work();
+  other.join();
+}
 }
 
 TEST(PrismSolver, EqualsTheAssembledTrilinearSolve)
@@ -148,26 +185,129 @@ TEST(PrismSolver, EqualsTheAssembledTrilinearSolve)
   for (const bool hole : { false, true })
   {
     const Sweep sweep = flatCap(9, 6, hole);
-    const Index n = sweep.source.rows();
-    const auto fixed = boundaryOf(sweep);
-    for (const Index layers : { 2, 5, 8 })
+    for (const Index layers : { 1, 2, 3, 5, 8 })
     {
-      const double height = 0.17;
-      for (const bool caps : { false, true })
+      // Flat layers, where the mass matrix prevails, to thick ones, where it is the stiffness.
+      for (const double height : { 1e-4, 0.01, 0.17, 20.0 })
       {
-        Points values = randomValues((layers + 1) * n);
-        if (!caps)
+        for (const bool caps : { false, true })
         {
-          clearCaps(values, fixed, n);
+          EXPECT_LT(
+            differenceFromAssembly(sweep, Eigen::VectorXd::Constant(layers, height), caps), 1e-11)
+            << hole << ' ' << layers << ' ' << height << ' ' << caps;
         }
-        const PrismSolver prism(
-          hexsweep::quadLaplacian(sweep.source, sweep.quads), layers, height, fixed);
-        const Points expected =
-          solveInThreeDimensions(sweep.source, sweep.quads, layers, height, fixed, values);
-        EXPECT_LT(test::greatestDistance(prism.extend(values), expected), 1e-12)
-          << hole << ' ' << layers << ' ' << caps;
       }
     }
+  }
+}
+
+TEST(PrismSolver, EqualsTheAssembledSolveOnUnequalLayers)
+{
+  const Sweep sweep = flatCap(9, 6, true);
+  for (const bool caps : { false, true })
+  {
+    EXPECT_LT(differenceFromAssembly(sweep, Eigen::Vector2d(0.1, 0.4), caps), 1e-11);
+    Eigen::VectorXd heights(9);
+    for (Index k = 0; k < 9; ++k)
+    {
+      heights[k] = 0.01 * std::pow(1.7, static_cast<double>(k));
+    }
+    EXPECT_LT(differenceFromAssembly(sweep, heights, caps), 1e-11);
+    EXPECT_LT(differenceFromAssembly(sweep, heights.reverse(), caps, twoThreads), 1e-11);
+  }
+}
+
+TEST(PrismSolver, EqualsTheAssembledSolveOnNeedles)
+{
+  // Quads of 1 : 1000, and with them quads of 1000 : 1 in the same mesh.
+  Sweep sweep = flatCap(9, 6, false);
+  for (Index i = 0; i < sweep.source.rows(); ++i)
+  {
+    sweep.source(i, 0) = std::sinh(6.0 * (sweep.source(i, 0) - 1.0));
+    sweep.source(i, 1) *= 0.01;
+  }
+  for (const double height : { 1e-3, 0.1, 10.0 })
+  {
+    EXPECT_LT(differenceFromAssembly(sweep, Eigen::VectorXd::Constant(6, height), true), 1e-10)
+      << height;
+  }
+}
+
+TEST(PrismSolver, ManyLayersOfFewQuads)
+{
+  const Index layers = 300;
+  const Sweep sweep = flatCap(4, 3, false);
+  const Index n = sweep.source.rows();
+  const auto fixed = boundaryOf(sweep);
+  // Too large to assemble: the difference equation is checked on what comes out.
+  const Points values = randomValues((layers + 1) * n);
+  const double h = 0.02;
+  const auto laplacian = hexsweep::quadLaplacian(sweep.source, sweep.quads);
+  const Points result = PrismSolver(laplacian, layers, h, fixed).extend(values);
+  std::vector<char> isFixed(static_cast<std::size_t>(n), 0);
+  for (const Index id : fixed)
+  {
+    isFixed[static_cast<std::size_t>(id)] = 1;
+  }
+  for (Index k = 1; k < layers; ++k)
+  {
+    const auto layer = [&](Index l) { return result.middleRows(l * n, n); };
+    const Points mass = (h / 6.0) * (layer(k - 1) + 4.0 * layer(k) + layer(k + 1));
+    const Points stiffness = (2.0 * layer(k) - layer(k - 1) - layer(k + 1)) / h;
+    const Points residual = laplacian.stiffness * mass + laplacian.mass * stiffness;
+    for (Index i = 0; i < n; ++i)
+    {
+      if (!isFixed[static_cast<std::size_t>(i)])
+      {
+        // The coefficients are about 10.
+        ASSERT_LT(residual.row(i).cwiseAbs().maxCoeff(), 1e-10) << k << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(PrismSolver, SameBitsWithAnyNumberOfThreads)
+{
+  const Sweep sweep = flatCap(60, 45, true);
+  const auto fixed = boundaryOf(sweep);
+  const Index layers = 41;
+  const Points values = randomValues((layers + 1) * sweep.source.rows());
+  const PrismSolver prism(hexsweep::quadLaplacian(sweep.source, sweep.quads), layers, 0.02, fixed);
+  const Points alone = prism.extend(values);
+  for (int round = 0; round < 3; ++round)
+  {
+    const Points together = prism.extend(values, {}, twoThreads);
+    EXPECT_EQ(std::memcmp(alone.data(), together.data(),
+                static_cast<std::size_t>(alone.size()) * sizeof(double)),
+      0);
+  }
+}
+
+TEST(PrismSolver, ReportsProgressAndStopsWhereverItIsAsked)
+{
+  const Sweep sweep = flatCap(24, 18, false);
+  const auto fixed = boundaryOf(sweep);
+  const Index layers = 100;
+  const Points values = randomValues((layers + 1) * sweep.source.rows());
+  const PrismSolver prism(hexsweep::quadLaplacian(sweep.source, sweep.quads), layers, 0.02, fixed);
+  std::vector<double> reports;
+  prism.extend(values, [&](double done) {
+    reports.push_back(done);
+    return true;
+  });
+  EXPECT_GE(reports.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_EQ(reports.back(), 1.0);
+  const std::thread::id caller = std::this_thread::get_id();
+  for (std::size_t calls = 0; calls < 3; ++calls)
+  {
+    std::size_t count = 0;
+    const auto stop = [&](double) {
+      EXPECT_EQ(std::this_thread::get_id(), caller);
+      return count++ < calls;
+    };
+    EXPECT_THROW(prism.extend(values, stop, twoThreads), hexsweep::Aborted) << calls;
+    EXPECT_EQ(count, calls + 1);
   }
 }
 
@@ -288,6 +428,8 @@ TEST(PrismSolver, BadArgumentsAndAborts)
   EXPECT_THROW(PrismSolver(laplacian, 0, 1.0, fixed), hexsweep::InvalidInput);
   EXPECT_THROW(PrismSolver(laplacian, 3, 0.0, fixed), hexsweep::InvalidInput);
   EXPECT_THROW(PrismSolver(laplacian, 3, std::nan(""), fixed), hexsweep::InvalidInput);
+  EXPECT_THROW(
+    PrismSolver(laplacian, Eigen::Vector3d(1.0, 0.0, 1.0), fixed), hexsweep::InvalidInput);
   const PrismSolver prism(laplacian, 3, 1.0, fixed);
   EXPECT_THROW(prism.extend(randomValues(5)), hexsweep::InvalidInput);
   EXPECT_THROW(prism.extend(randomValues(4 * sweep.source.rows()), [](double) { return false; }),

@@ -9,15 +9,13 @@
 #include "Core/SweepBoundary.h"
 #include "Core/SweptHexes.h"
 #include "HexSweepBridge.h"
+#include "HexSweepGrid.h"
 #include "HexSweepMethods.h"
 #include "HexSweepQualityArrays.h"
 
 #include <vtkCellData.h>
-#include <vtkCellType.h>
 #include <vtkDataSet.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
-#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -122,61 +120,11 @@ struct SweptMesh
 {
   Index layers = 0;
   Points points;
-  hexsweep::Hexes hexes;
+  vtkSmartPointer<vtkIdTypeArray> connectivity;
   std::vector<HexQuality> qualities;
+
+  Eigen::Map<const hexsweep::Hexes> hexes() const { return hexsweep::hexView(this->connectivity); }
 };
-
-// The ids of one layer, repeated on each of them.
-vtkSmartPointer<vtkIdTypeArray> newRepeatedIds(
-  const char* name, const std::vector<Index>& ids, Index layers)
-{
-  auto array = vtkSmartPointer<vtkIdTypeArray>::New();
-  array->SetName(name);
-  const Index n = static_cast<Index>(ids.size());
-  array->SetNumberOfValues(n * layers);
-  for (Index i = 0; i < n * layers; ++i)
-  {
-    array->SetValue(i, ids[static_cast<std::size_t>(i % n)]);
-  }
-  return array;
-}
-
-vtkSmartPointer<vtkIdTypeArray> newLayerNumbers(Index perLayer, Index layers)
-{
-  auto array = vtkSmartPointer<vtkIdTypeArray>::New();
-  array->SetName("SweepLayer");
-  array->SetNumberOfValues(perLayer * layers);
-  for (Index i = 0; i < perLayer * layers; ++i)
-  {
-    array->SetValue(i, i / perLayer);
-  }
-  return array;
-}
-
-// Copies tuples `ids` of the source to each layer.
-void carryAttributes(vtkDataSetAttributes* source, const std::vector<Index>& ids, Index layers,
-  vtkDataSetAttributes* output)
-{
-  const Index n = static_cast<Index>(ids.size());
-  // Copies of one point are not one point, and ghosts were dropped on reading.
-  output->CopyAllOn();
-  output->CopyGlobalIdsOff();
-  output->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
-  output->CopyAllocate(source, n * layers);
-  vtkNew<vtkIdList> from;
-  from->SetNumberOfIds(n);
-  vtkNew<vtkIdList> to;
-  to->SetNumberOfIds(n);
-  for (Index k = 0; k < layers; ++k)
-  {
-    for (Index i = 0; i < n; ++i)
-    {
-      from->SetId(i, ids[static_cast<std::size_t>(i)]);
-      to->SetId(i, k * n + i);
-    }
-    output->CopyData(source, from, to);
-  }
-}
 
 bool isBad(const HexQuality& quality)
 {
@@ -196,8 +144,9 @@ std::string describeProblem(const SweptMesh& mesh, const hexsweep::HexQualitySum
       " and " + std::to_string(summary.degenerate) + " are degenerate (an edge has no length)";
   }
   text += ". The first:";
+  const auto hexes = mesh.hexes();
   Index named = 0;
-  for (Index h = 0; h < mesh.hexes.rows() && named < NumberOfNamedCells; ++h)
+  for (Index h = 0; h < hexes.rows() && named < NumberOfNamedCells; ++h)
   {
     const HexQuality& quality = mesh.qualities[static_cast<std::size_t>(h)];
     if (isBad(quality))
@@ -205,7 +154,7 @@ std::string describeProblem(const SweptMesh& mesh, const hexsweep::HexQualitySum
       Eigen::RowVector3d center = Eigen::RowVector3d::Zero();
       for (int c = 0; c < 8; ++c)
       {
-        center += 0.125 * mesh.points.row(mesh.hexes(h, c));
+        center += 0.125 * mesh.points.row(hexes(h, c));
       }
       text += "\n  cell " + std::to_string(h) + " at " + hexsweep::describe(center) +
         ", scaled Jacobian " + hexsweep::describe(quality.scaledJacobian);
@@ -257,20 +206,21 @@ void addPointArrays(vtkDataSet* source, const SweptMesh& mesh, vtkUnstructuredGr
   std::vector<Index> ids(static_cast<std::size_t>(source->GetNumberOfPoints()));
   std::iota(ids.begin(), ids.end(), Index{ 0 });
   vtkPointData* pointData = output->GetPointData();
-  carryAttributes(source->GetPointData(), ids, mesh.layers + 1, pointData);
-  pointData->AddArray(newRepeatedIds("SourcePointIds", ids, mesh.layers + 1));
-  pointData->AddArray(newLayerNumbers(source->GetNumberOfPoints(), mesh.layers + 1));
+  hexsweep::carryAttributes(source->GetPointData(), ids, mesh.layers + 1, pointData);
+  pointData->AddArray(hexsweep::newRepeatedIds("SourcePointIds", ids, mesh.layers + 1));
+  pointData->AddArray(hexsweep::newLayerNumbers(source->GetNumberOfPoints(), mesh.layers + 1));
 }
 
 void addCellArrays(vtkDataSet* source, const std::vector<Index>& sourceCellIds,
   const SweptMesh& mesh, vtkUnstructuredGrid* output)
 {
   vtkCellData* cellData = output->GetCellData();
-  carryAttributes(source->GetCellData(), sourceCellIds, mesh.layers, cellData);
-  cellData->AddArray(newRepeatedIds("SourceCellIds", sourceCellIds, mesh.layers));
-  cellData->AddArray(newLayerNumbers(static_cast<Index>(sourceCellIds.size()), mesh.layers));
-  hexsweep::QualityArrays arrays(mesh.hexes.rows());
-  for (Index h = 0; h < mesh.hexes.rows(); ++h)
+  hexsweep::carryAttributes(source->GetCellData(), sourceCellIds, mesh.layers, cellData);
+  cellData->AddArray(hexsweep::newRepeatedIds("SourceCellIds", sourceCellIds, mesh.layers));
+  cellData->AddArray(
+    hexsweep::newLayerNumbers(static_cast<Index>(sourceCellIds.size()), mesh.layers));
+  hexsweep::QualityArrays arrays(mesh.hexes().rows());
+  for (Index h = 0; h < mesh.hexes().rows(); ++h)
   {
     arrays.set(h, mesh.qualities[static_cast<std::size_t>(h)]);
   }
@@ -339,9 +289,10 @@ int vtkCageHexInterior::RequestData(
     }
 
     mesh.layers = cage.boundary.numberOfLayers();
-    mesh.hexes = hexsweep::sweptHexes(cage.quads, mesh.points, mesh.layers);
+    mesh.connectivity = hexsweep::newSweptConnectivity(cage.quads, cage.source.rows(), mesh.layers,
+      hexsweep::sourceIsBottom(cage.quads, mesh.points, mesh.layers, hexsweep::smpFor()));
     mesh.qualities =
-      hexsweep::hexQualities(mesh.points, mesh.hexes, this->Certify, hexsweep::smpFor());
+      hexsweep::hexQualities(mesh.points, mesh.hexes(), this->Certify, hexsweep::smpFor());
     const hexsweep::HexQualitySummary summary = hexsweep::summarize(mesh.qualities);
     clock.finish("Quality");
     if (summary.inverted + summary.degenerate > 0)
@@ -362,9 +313,8 @@ int vtkCageHexInterior::RequestData(
     }
 
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
-    output->SetPoints(vtkSmartPointer<vtkPoints>::Take(
-      hexsweep::newPoints(mesh.points, this->OutputPointsPrecision)));
-    hexsweep::setCells(output, mesh.hexes, VTK_HEXAHEDRON);
+    output->SetPoints(hexsweep::newSweptPoints(mesh.points, this->OutputPointsPrecision));
+    hexsweep::setSweptCells(output, mesh.connectivity);
     addPointArrays(sourceData, mesh, output);
     addCellArrays(sourceData, cage.sourceCellIds, mesh, output);
 

@@ -11,29 +11,29 @@ namespace hexsweep
 {
 namespace
 {
-/// Sum over the eight corners of all hexes with the quad of layer k as bottom.
-double sumOfCornerJacobians(const QuadsRef& quads, const PointsRef& points, Index layers)
+/// Sum over the eight corners of the hexes with the quad of layer k as bottom.
+double sumOfCornerJacobians(const QuadsRef& quads, const PointsRef& points, Index n, Index k)
 {
-  const Index n = points.rows() / (layers + 1);
+  const double* low = points.data() + 3 * k * n;
+  const double* high = low + 3 * n;
+  const auto point = [](const double* layer, Index id) {
+    return Eigen::Map<const Eigen::Vector3d>(layer + 3 * id);
+  };
   double sum = 0.0;
-  for (Index k = 0; k < layers; ++k)
+  for (Index q = 0; q < quads.rows(); ++q)
   {
-    for (Index q = 0; q < quads.rows(); ++q)
+    const Index* ids = quads.data() + 4 * q;
+    for (int c = 0; c < 4; ++c)
     {
-      for (int c = 0; c < 4; ++c)
+      const Index corner = ids[c];
+      const Index next = ids[(c + 1) % 4];
+      const Index previous = ids[(c + 3) % 4];
+      const Eigen::Vector3d up = point(high, corner) - point(low, corner);
+      for (const double* layer : { low, high })
       {
-        const Index corner = quads(q, c);
-        const Index next = quads(q, (c + 1) % 4);
-        const Index previous = quads(q, (c + 3) % 4);
-        const Index low = k * n;
-        const Index high = low + n;
-        const Eigen::RowVector3d up = points.row(high + corner) - points.row(low + corner);
-        for (const Index layer : { low, high })
-        {
-          const Eigen::RowVector3d u = points.row(layer + next) - points.row(layer + corner);
-          const Eigen::RowVector3d v = points.row(layer + previous) - points.row(layer + corner);
-          sum += u.cross(v).dot(up);
-        }
+        const Eigen::Vector3d u = point(layer, next) - point(layer, corner);
+        const Eigen::Vector3d v = point(layer, previous) - point(layer, corner);
+        sum += u.cross(v).dot(up);
       }
     }
   }
@@ -41,16 +41,26 @@ double sumOfCornerJacobians(const QuadsRef& quads, const PointsRef& points, Inde
 }
 }
 
+bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers,
+  const ParallelFor& parallelFor)
+{
+  const Index n = points.rows() / (numberOfLayers + 1);
+  Eigen::VectorXd sums(numberOfLayers);
+  forPieces(parallelFor, numberOfLayers, 1,
+    [&](Index k, Index) { sums[k] = sumOfCornerJacobians(quads, points, n, k); });
+  return sums.sum() >= 0.0;
+}
+
 Hexes sweptHexes(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers)
 {
   const Index n = points.rows() / (numberOfLayers + 1);
   const Index m = quads.rows();
-  const bool sourceIsBottom = sumOfCornerJacobians(quads, points, numberOfLayers) >= 0.0;
+  const bool upward = sourceIsBottom(quads, points, numberOfLayers);
   Hexes hexes(numberOfLayers * m, 8);
   for (Index k = 0; k < numberOfLayers; ++k)
   {
-    const Index bottom = (sourceIsBottom ? k : k + 1) * n;
-    const Index top = (sourceIsBottom ? k + 1 : k) * n;
+    const Index bottom = (upward ? k : k + 1) * n;
+    const Index top = (upward ? k + 1 : k) * n;
     hexes.block(k * m, 0, m, 4) = quads.array() + bottom;
     hexes.block(k * m, 4, m, 4) = quads.array() + top;
   }

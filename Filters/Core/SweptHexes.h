@@ -7,15 +7,26 @@
 #define hexsweep_SweptHexes_h
 
 #include "Mesh.h"
+#include "ParallelFor.h"
 
 namespace hexsweep
 {
 /**
+ * Whether the quad of layer k is the bottom of right-handed hexes between layers k and k + 1, or
+ * that of layer k + 1: the sign of the sum of the corner Jacobians of all hexes decides.
+ *
+ * @param quads  m x 4 ids in [0, n), consistently oriented.
+ * @param points (L + 1) n x 3, row k n + i is point i on layer k.
+ */
+bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers,
+  const ParallelFor& parallelFor = {});
+
+/**
  * Hexes over a quad mesh: hex k m + j has quad j on layer k and the same quad on layer k + 1.
  *
- * The hexes are right-handed whichever way the quads face: the sign of the sum of all corner
- * Jacobians decides, once for the whole mesh, whether the quad of layer k is the bottom (points 0
- * to 3) or the top (points 4 to 7) of VTK_HEXAHEDRON order.
+ * The hexes are right-handed whichever way the quads face: sourceIsBottom() decides,
+ * once for the whole mesh, whether the quad of layer k is the bottom (points 0 to 3) or the top
+ * (points 4 to 7) of VTK_HEXAHEDRON order.
  *
  * @param quads  m x 4 ids in [0, n), consistently oriented.
  * @param points (L + 1) n x 3, row k n + i is point i on layer k.

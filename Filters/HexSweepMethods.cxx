@@ -4,6 +4,7 @@
 #include "Core/BlendInterior.h"
 #include "Core/BoundaryErrorInterior.h"
 #include "Core/Errors.h"
+#include "HexSweepBridge.h"
 #include "vtkCageHexInterior.h"
 
 namespace hexsweep
@@ -12,6 +13,8 @@ namespace
 {
 using Interior = Points (*)(
   const PointsRef&, const PointsRef&, const QuadsRef&, const SweepBoundary&, const Progress&);
+using ThreadedInterior = Points (*)(const PointsRef&, const PointsRef&, const QuadsRef&,
+  const SweepBoundary&, const Progress&, const ParallelFor&);
 
 InteriorStart start(const char* name, Interior interior)
 {
@@ -19,12 +22,20 @@ InteriorStart start(const char* name, Interior interior)
             return interior(cage.source, cage.target, cage.quads, cage.boundary, progress);
           } };
 }
+
+InteriorStart threadedStart(const char* name, ThreadedInterior interior)
+{
+  return { name, [interior](const SweepCage& cage, const Progress& progress) {
+            return interior(
+              cage.source, cage.target, cage.quads, cage.boundary, progress, smpFor());
+          } };
+}
 }
 
 std::vector<InteriorStart> interiorStarts(int method)
 {
-  const InteriorStart blend = start("Blend", blendInterior);
-  const InteriorStart fading = start("Blend with fading bulges", fadingBlendInterior);
+  const InteriorStart blend = threadedStart("Blend", blendInterior);
+  const InteriorStart fading = threadedStart("Blend with fading bulges", fadingBlendInterior);
   switch (method)
   {
     case vtkCageHexInterior::AUTOMATIC:

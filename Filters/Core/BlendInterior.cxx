@@ -7,6 +7,7 @@
 #include "QuadLaplacian.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hexsweep
 {
@@ -55,7 +56,7 @@ struct FadingBulges
 
 FadingBulges fadingBulges(const PointsRef& sourcePoints, const PointsRef& targetPoints,
   const QuadsRef& quads, const QuadLaplacian& onTarget, const SweepBoundary& boundary,
-  const Progress& progress)
+  const Progress& progress, const ParallelFor& parallelFor)
 {
   const Index n = sourcePoints.rows();
   const Index layers = boundary.numberOfLayers();
@@ -71,8 +72,10 @@ FadingBulges fadingBulges(const PointsRef& sourcePoints, const PointsRef& target
     onTargetCap - commonBulge(onTargetCap, carried(onSourceCap, 0, layers));
   const PrismSolver prism(onTarget, layers,
     FadingHeight * boundary.meanColumnLength / static_cast<double>(layers), boundary.nodes);
-  fading.fromSource = prism.extend(fading.fromSource, progressPart(progress, 0.0, 0.5));
-  fading.fromTarget = prism.extend(fading.fromTarget, progressPart(progress, 0.5, 1.0));
+  fading.fromSource =
+    prism.extend(std::move(fading.fromSource), progressPart(progress, 0.0, 0.5), parallelFor);
+  fading.fromTarget =
+    prism.extend(std::move(fading.fromTarget), progressPart(progress, 0.5, 1.0), parallelFor);
   return fading;
 }
 
@@ -83,7 +86,8 @@ enum class CapBulges
 };
 
 Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const QuadsRef& quads,
-  const SweepBoundary& boundary, CapBulges bulges, const Progress& progress)
+  const SweepBoundary& boundary, CapBulges bulges, const Progress& progress,
+  const ParallelFor& parallelFor)
 {
   const Index n = sourcePoints.rows();
   const Index layers = boundary.numberOfLayers();
@@ -94,22 +98,32 @@ Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const
   const bool fade = bulges == CapBulges::Fading;
   if (fade)
   {
-    fading = fadingBulges(
-      sourcePoints, targetPoints, quads, onTarget, boundary, progressPart(progress, 0.0, 0.6));
+    fading = fadingBulges(sourcePoints, targetPoints, quads, onTarget, boundary,
+      progressPart(progress, 0.0, 0.6), parallelFor);
     source -= fading.fromSource.topRows(n);
     target -= fading.fromTarget.bottomRows(n);
   }
 
   // On the caps the blend is exact, so the correction is zero there.
   Points swept((layers + 1) * n, 3);
-  Points correction = Points::Zero((layers + 1) * n, 3);
-  for (Index k = 1; k < layers; ++k)
-  {
+  Points correction((layers + 1) * n, 3);
+  forPieces(parallelFor, layers + 1, 1, [&](Index k, Index) {
+    correction.middleRows(k * n, n).setZero();
+    if (k == 0 || k == layers)
+    {
+      return;
+    }
     const double t = boundary.fractions[k];
     const AffineMap fromSource = fitLayerMap(boundary, 0, k);
     const AffineMap fromTarget = fitLayerMap(boundary, layers, k);
-    auto layer = swept.middleRows(k * n, n);
-    layer = (1.0 - t) * fromSource.apply(source) + t * fromTarget.apply(target);
+    constexpr Index rowsAtOnce = 512; // so many stay in the cache
+    for (Index first = 0; first < n; first += rowsAtOnce)
+    {
+      const Index count = std::min(rowsAtOnce, n - first);
+      swept.middleRows(k * n + first, count) =
+        (1.0 - t) * fromSource.apply(source.middleRows(first, count)) +
+        t * fromTarget.apply(target.middleRows(first, count));
+    }
     for (std::size_t j = 0; j < boundary.nodes.size(); ++j)
     {
       const Index row = k * n + boundary.nodes[j];
@@ -117,13 +131,20 @@ Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const
     }
     if (fade)
     {
-      layer += fading.fromSource.middleRows(k * n, n) * fromSource.linear.transpose() +
+      swept.middleRows(k * n, n) +=
+        fading.fromSource.middleRows(k * n, n) * fromSource.linear.transpose() +
         fading.fromTarget.middleRows(k * n, n) * fromTarget.linear.transpose();
     }
-  }
+  });
+  fading = {};
   const double layerHeight = boundary.meanColumnLength / static_cast<double>(layers);
-  swept += PrismSolver(onTarget, layers, layerHeight, boundary.nodes)
-             .extend(correction, progressPart(progress, fade ? 0.6 : 0.0, 1.0));
+  correction =
+    PrismSolver(onTarget, layers, layerHeight, boundary.nodes)
+      .extend(std::move(correction), progressPart(progress, fade ? 0.6 : 0.0, 1.0), parallelFor);
+  forPieces(parallelFor, layers - 1, 1, [&](Index inner, Index) {
+    const Index begin = (inner + 1) * n;
+    swept.middleRows(begin, n) += correction.middleRows(begin, n);
+  });
 
   setGivenPoints(sourcePoints, targetPoints, quads, boundary, swept);
   return swept;
@@ -133,12 +154,28 @@ Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const
 Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
   const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
 {
-  return blend(sourcePoints, targetPoints, quads, boundary, CapBulges::Blended, progress);
+  return blendInterior(sourcePoints, targetPoints, quads, boundary, progress, {});
+}
+
+Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor)
+{
+  return blend(
+    sourcePoints, targetPoints, quads, boundary, CapBulges::Blended, progress, parallelFor);
 }
 
 Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
   const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
 {
-  return blend(sourcePoints, targetPoints, quads, boundary, CapBulges::Fading, progress);
+  return fadingBlendInterior(sourcePoints, targetPoints, quads, boundary, progress, {});
+}
+
+Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor)
+{
+  return blend(
+    sourcePoints, targetPoints, quads, boundary, CapBulges::Fading, progress, parallelFor);
 }
 }

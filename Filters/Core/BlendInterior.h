@@ -7,6 +7,7 @@
 #define hexsweep_BlendInterior_h
 
 #include "Mesh.h"
+#include "ParallelFor.h"
 #include "SweepBoundary.h"
 
 namespace hexsweep
@@ -41,6 +42,11 @@ namespace hexsweep
 Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
   const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
 
+/// The same with threads; the same bits.
+Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor);
+
 /**
  * The same for caps that bulge in different ways: what they do not share does not go through the
  * whole volume.
@@ -56,6 +62,11 @@ Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoint
  */
 Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
   const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
+
+/// The same with threads; the same bits.
+Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor);
 }
 
 #endif

@@ -220,10 +220,14 @@ void addCellArrays(vtkDataSet* source, const std::vector<Index>& sourceCellIds,
   cellData->AddArray(
     hexsweep::newLayerNumbers(static_cast<Index>(sourceCellIds.size()), mesh.layers));
   hexsweep::QualityArrays arrays(mesh.hexes().rows());
-  for (Index h = 0; h < mesh.hexes().rows(); ++h)
-  {
-    arrays.set(h, mesh.qualities[static_cast<std::size_t>(h)]);
-  }
+  constexpr Index hexesAPiece = Index{ 1 } << 17;
+  hexsweep::forPieces(
+    hexsweep::smpFor(), mesh.hexes().rows(), hexesAPiece, [&](Index begin, Index end) {
+      for (Index h = begin; h < end; ++h)
+      {
+        arrays.set(h, mesh.qualities[static_cast<std::size_t>(h)]);
+      }
+    });
   arrays.addTo(cellData);
   cellData->SetActiveScalars("ScaledJacobian");
 }

@@ -364,7 +364,18 @@ Points PrismSolver::extend(
     return values;
   }
   const double greatest = this->greatestGiven(values);
-  const double accuracy = ModeAccuracy * (greatest > 0.0 ? greatest : 1.0);
+  if (!(greatest > 0.0))
+  {
+    for (const Index id : this->Mesh.ids)
+    {
+      for (Index k = 1; k < layers; ++k)
+      {
+        values.row(k * n + id).setZero();
+      }
+    }
+    return values;
+  }
+  const double accuracy = ModeAccuracy * greatest;
   const CapLoad caps = this->capLoad(values);
   const bool hasCaps = caps.first.rows() > 0;
   const Eigen::MatrixXd sides = this->sideCoefficients(values);

@@ -13,7 +13,8 @@ namespace hexsweep
 {
 /**
  * Whether the quad of layer k is the bottom of right-handed hexes between layers k and k + 1, or
- * that of layer k + 1: the sign of the sum of the corner Jacobians of all hexes decides.
+ * that of layer k + 1: the sign of the sum of the corner Jacobians decides, over up to eight layers
+ * spread evenly from the first to the last.
  *
  * @param quads  m x 4 ids in [0, n), consistently oriented.
  * @param points (L + 1) n x 3, row k n + i is point i on layer k.

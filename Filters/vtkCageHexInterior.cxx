@@ -2,6 +2,7 @@
 #include "vtkCageHexInterior.h"
 
 #include "Core/Describe.h"
+#include "Core/Errors.h"
 #include "Core/HexQuality.h"
 #include "Core/LinkingRings.h"
 #include "Core/RingCollapse.h"
@@ -292,6 +293,8 @@ int vtkCageHexInterior::RequestData(
       mesh.points = mesh.points.cast<float>().cast<double>().eval();
     }
 
+    const hexsweep::Progress rest = hexsweep::pipelineProgress(this, 0.9, 1.0);
+    hexsweep::reportProgress(rest, 0.0);
     mesh.layers = cage.boundary.numberOfLayers();
     mesh.connectivity = hexsweep::newSweptConnectivity(cage.quads, cage.source.rows(), mesh.layers,
       hexsweep::sourceIsBottom(cage.quads, mesh.points, mesh.layers, hexsweep::smpFor()));
@@ -299,6 +302,7 @@ int vtkCageHexInterior::RequestData(
       hexsweep::hexQualities(mesh.points, mesh.hexes(), this->Certify, hexsweep::smpFor());
     const hexsweep::HexQualitySummary summary = hexsweep::summarize(mesh.qualities);
     clock.finish("Quality");
+    hexsweep::reportProgress(rest, 0.5);
     if (summary.inverted + summary.degenerate > 0)
     {
       const std::string problem = describeProblem(mesh, summary, interior);

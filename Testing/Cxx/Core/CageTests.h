@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Both models of a sweep, and what holds for every cage method.
+ */
+#ifndef CageTests_h
+#define CageTests_h
+
+#include "Core/CageMesh.h"
+#include "Core/TopologicalModel.h"
+#include "InteriorTests.h"
+
+#include <Eigen/Geometry>
+
+namespace test
+{
+/// The physical and the topological model of a sweep, and their cage.
+struct CageModels
+{
+  hexsweep::SweepBoundary boundary;
+  Points physical;
+  Quads cageQuads;
+  Points model;
+  hexsweep::CageMesh cage;
+};
+
+inline CageModels modelsOf(const Sweep& sweep)
+{
+  CageModels models;
+  models.boundary = boundaryOf(sweep);
+  models.physical =
+    hexsweep::physicalModel(sweep.source, sweep.target, sweep.quads, models.boundary);
+  models.cageQuads = hexsweep::cageQuads(sweep.quads, models.physical, sweep.numberOfLayers);
+  models.model = hexsweep::topologicalModel(sweep.target, models.cageQuads, models.boundary);
+  models.cage = hexsweep::triangulateCage(models.cageQuads, models.physical, models.model);
+  return models;
+}
+
+/// The caps' quads turned over.
+inline Sweep turnedOver(Sweep sweep)
+{
+  sweep.quads = sweep.quads.rowwise().reverse().eval();
+  return sweep;
+}
+
+/// Rows of the swept points inside the volume.
+inline std::vector<Index> insideRows(const Sweep& sweep)
+{
+  const auto boundary = boundaryOf(sweep);
+  const Index n = sweep.source.rows();
+  std::vector<Index> rows;
+  for (Index row = n; row < sweep.numberOfLayers * n; ++row)
+  {
+    if (std::find(boundary.nodes.begin(), boundary.nodes.end(), row % n) == boundary.nodes.end())
+    {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+inline Points rowsOf(const Points& points, const std::vector<Index>& rows)
+{
+  Points picked(static_cast<Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    picked.row(static_cast<Index>(i)) = points.row(rows[i]);
+  }
+  return picked;
+}
+
+/// One affine map of a straight prism: shear, scale, rotation and stretch of the whole volume.
+inline Eigen::RowVector3d straightAffineMotion(double x, double y, double t)
+{
+  Eigen::Matrix3d shape;
+  shape << 1.3, 0.4, 0.7, -0.2, 0.8, -0.3, 0.1, 0.2, 2.1;
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.9, Eigen::Vector3d(0.3, 1, 0.2).normalized()).toRotationMatrix();
+  return (turn * shape * Eigen::Vector3d(x, y, t)).transpose() + Eigen::RowVector3d(3, -1, 2);
+}
+
+/// A regular grid of cubes with edges 2 / nx = 1 / ny; needs nx = 2 ny < 20 and L = layers.
+inline Motion cubesMotion(int nx, int layers)
+{
+  return [=](double x, double y, double t) {
+    // The cap's bumps are smaller than half a step.
+    const double step = 2.0 / nx;
+    return Eigen::RowVector3d(
+      step * std::round(x / step), step * std::round(y / step), step * layers * t);
+  };
+}
+
+template <typename CageInterior>
+void expectStraightAffineSweepsExact(const CageInterior& interior, double tolerance)
+{
+  for (const bool hole : { false, true })
+  {
+    for (const double scale : { 1e-6, 1.0, 1e6 })
+    {
+      const Sweep sweep = placed(makeSweep(12, 9, hole, evenLayers(5), straightAffineMotion), scale,
+        Eigen::RowVector3d::Zero());
+      for (const Sweep& either : { sweep, turnedOver(sweep) })
+      {
+        EXPECT_LT(greatestDistance(interior(either), either.layers), tolerance * sizeOf(either));
+      }
+    }
+  }
+}
+}
+
+#endif

@@ -7,6 +7,8 @@
 #define CageTests_h
 
 #include "Core/CageMesh.h"
+#include "Core/Errors.h"
+#include "Core/ParallelFor.h"
 #include "Core/TopologicalModel.h"
 #include "InteriorTests.h"
 
@@ -105,6 +107,70 @@ void expectStraightAffineSweepsExact(const CageInterior& interior, double tolera
       }
     }
   }
+}
+
+/// Boundary bit for bit, unused points straight, the same bits in any order of the work, progress,
+/// aborts, no interior at all.
+using CageMethodInterior = Points (*)(const hexsweep::PointsRef&, const hexsweep::PointsRef&,
+  const hexsweep::QuadsRef&, const hexsweep::SweepBoundary&, const hexsweep::ParallelFor&,
+  const hexsweep::Progress&);
+
+inline void expectCageMethod(CageMethodInterior interior)
+{
+  Sweep sweep = makeSweep(12, 9, true, evenLayers(6), bendingMotion);
+  const Index n = sweep.source.rows();
+  const auto boundary = boundaryOf(sweep);
+  const auto run = [&](
+                     const hexsweep::ParallelFor& parallelFor, const hexsweep::Progress& progress) {
+    return interior(sweep.source, sweep.target, sweep.quads, boundary, parallelFor, progress);
+  };
+  const Points swept = run({}, {});
+  EXPECT_TRUE(swept.allFinite());
+  EXPECT_EQ(swept.topRows(n), sweep.source);
+  EXPECT_EQ(swept.bottomRows(n), sweep.target);
+  for (Index k = 0; k <= 6; ++k)
+  {
+    for (const Index id : boundary.nodes)
+    {
+      EXPECT_EQ(swept.row(k * n + id), sweep.layers.row(k * n + id));
+    }
+  }
+
+  const hexsweep::ParallelFor backwards = [](Index count, const std::function<void(Index)>& call) {
+    for (Index i = count; i-- > 0;)
+    {
+      call(i);
+    }
+  };
+  EXPECT_EQ(run(backwards, {}), swept);
+
+  double last = -1.0;
+  int reports = 0;
+  run({}, [&](double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    return ++reports > 0;
+  });
+  EXPECT_EQ(last, 1.0);
+  EXPECT_THROW(run({}, [](double fraction) { return fraction == 0.0; }), hexsweep::Aborted);
+
+  sweep.source.conservativeResize(n + 1, 3);
+  sweep.target.conservativeResize(n + 1, 3);
+  sweep.source.row(n) << 10, 20, 30;
+  sweep.target.row(n) << 14, 20, 34;
+  const Points withUnused = run({}, {});
+  for (Index k = 0; k <= 6; ++k)
+  {
+    const double t = boundary.fractions[static_cast<std::size_t>(k)];
+    const Eigen::RowVector3d expected(10 + 4 * t, 20, 30 + 4 * t);
+    EXPECT_LT((withUnused.row(k * (n + 1) + n) - expected).norm(), 1e-12);
+    EXPECT_EQ(withUnused.middleRows(k * (n + 1), n), swept.middleRows(k * n, n));
+  }
+
+  const Sweep oneLayer = makeSweep(6, 5, false, evenLayers(1), bendingMotion);
+  EXPECT_EQ(
+    interior(oneLayer.source, oneLayer.target, oneLayer.quads, boundaryOf(oneLayer), {}, {}),
+    oneLayer.layers);
 }
 }
 

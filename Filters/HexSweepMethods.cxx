@@ -4,6 +4,9 @@
 #include "Core/BlendInterior.h"
 #include "Core/BoundaryErrorInterior.h"
 #include "Core/Errors.h"
+#include "Core/GreenCoordinates.h"
+#include "Core/HarmonicCoordinates.h"
+#include "Core/MeanValueCoordinates.h"
 #include "HexSweepBridge.h"
 #include "vtkCageHexInterior.h"
 
@@ -30,6 +33,17 @@ InteriorStart threadedStart(const char* name, ThreadedInterior interior)
               cage.source, cage.target, cage.quads, cage.boundary, progress, smpFor());
           } };
 }
+
+using CageCoordinates = Points (*)(const PointsRef&, const PointsRef&, const QuadsRef&,
+  const SweepBoundary&, const ParallelFor&, const Progress&);
+
+InteriorStart cageStart(const char* name, CageCoordinates interior)
+{
+  return { name, [interior](const SweepCage& cage, const Progress& progress) {
+            return interior(
+              cage.source, cage.target, cage.quads, cage.boundary, smpFor(), progress);
+          } };
+}
 }
 
 std::vector<InteriorStart> interiorStarts(int method)
@@ -42,11 +56,18 @@ std::vector<InteriorStart> interiorStarts(int method)
       return { blend, fading };
     case vtkCageHexInterior::BLEND:
       return { blend };
+    case vtkCageHexInterior::HARMONIC_COORDINATES:
+      return { start("HarmonicCoordinates", harmonicInterior) };
+    case vtkCageHexInterior::MEAN_VALUE_COORDINATES:
+      return { cageStart("MeanValueCoordinates", meanValueInterior) };
+    case vtkCageHexInterior::GREEN_COORDINATES:
+      return { cageStart("GreenCoordinates", greenInterior) };
     case vtkCageHexInterior::AFFINE_BOUNDARY_ERROR:
       return { start("AffineBoundaryError", boundaryErrorInterior) };
     default:
       throw InvalidInput("Method " + std::to_string(method) +
-        " does not exist. Use AUTOMATIC (0), BLEND (1) or AFFINE_BOUNDARY_ERROR (6).");
+        " does not exist. Use AUTOMATIC (0), BLEND (1), HARMONIC_COORDINATES (2), "
+        "MEAN_VALUE_COORDINATES (3), GREEN_COORDINATES (4) or AFFINE_BOUNDARY_ERROR (6).");
   }
 }
 }

@@ -14,10 +14,10 @@
  * - port 2 `LinkingSides`: structured quads between the loops, of any orientation; patches may
  *   repeat the points of their seams.
  *
- * Output, N source points, M source quads, L layers: hexahedron k*M + j is source quad j in layer
- * k, point k*N + i is source point i on layer k (0 the source, L the target). Hexahedra are
+ * Output port 0, N source points, M source quads, L layers: hexahedron k*M + j is source quad j in
+ * layer k, point k*N + i is source point i on layer k (0 the source, L the target). Hexahedra are
  * right-handed whichever way the quads face. Points that no quad uses keep their place in the
- * numbering.
+ * numbering. Output port 1: the topological model, see SetGenerateTopologicalModel().
  *
  * Arrays: point `SourcePointIds`, `SweepLayer`; cell `SourceCellIds`, `SweepLayer`,
  * `ScaledJacobian`, `JacobianLowerBound` and `Validity` (see vtkHexValidity, whose report is in the
@@ -70,9 +70,13 @@ public:
   /// How the interior nodes are placed.
   enum MethodType
   {
-    AUTOMATIC = 0,            ///< from cheap to strong, up to the first that is certified
-    BLEND = 1,                ///< affine images of both caps blended, corrected harmonically
-    AFFINE_BOUNDARY_ERROR = 6 ///< affine maps and residuals by inverse distance, for comparison
+    AUTOMATIC = 0,              ///< from cheap to strong, up to the first that is certified
+    BLEND = 1,                  ///< affine images of both caps blended, corrected harmonically
+    HARMONIC_COORDINATES = 2,   ///< the paper's: harmonic coordinates of the topological model
+    MEAN_VALUE_COORDINATES = 3, ///< mean value coordinates (Ju, Schaefer, Warren 2005)
+    GREEN_COORDINATES = 4,      ///< Green coordinates (Lipman, Levin, Cohen-Or 2008)
+    LAYER_MARCH = 5,            ///< layer by layer from both ends
+    AFFINE_BOUNDARY_ERROR = 6   ///< affine maps and residuals by inverse distance, for comparison
   };
 
   ///@{
@@ -80,11 +84,19 @@ public:
    * The method; AUTOMATIC by default: BLEND, and where its hexahedra are not all certified, even
    * after EnsureValid, the same with bulges of the caps that fade into the volume; the better is
    * kept. `SweepReportMethod` in the field data of the output says what ran.
+   *
+   * A named method gives that method; EnsureValid then untangles locally and nothing else is done.
+   * MEAN_VALUE_COORDINATES and GREEN_COORDINATES visit every triangle of the boundary for every
+   * interior node: minutes for some ten thousand hexahedra.
    */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC); }
   void SetMethodToBlend() { this->SetMethod(BLEND); }
+  void SetMethodToHarmonicCoordinates() { this->SetMethod(HARMONIC_COORDINATES); }
+  void SetMethodToMeanValueCoordinates() { this->SetMethod(MEAN_VALUE_COORDINATES); }
+  void SetMethodToGreenCoordinates() { this->SetMethod(GREEN_COORDINATES); }
+  void SetMethodToLayerMarch() { this->SetMethod(LAYER_MARCH); }
   void SetMethodToAffineBoundaryError() { this->SetMethod(AFFINE_BOUNDARY_ERROR); }
   ///@}
 
@@ -142,6 +154,16 @@ public:
 
   ///@{
   /**
+   * Fill output port 1 with the topological model: the target quads translated against the sweeping
+   * direction, section 4.2 (1) of the paper, numbered as the hexahedra. Off by default.
+   */
+  vtkSetMacro(GenerateTopologicalModel, bool);
+  vtkGetMacro(GenerateTopologicalModel, bool);
+  vtkBooleanMacro(GenerateTopologicalModel, bool);
+  ///@}
+
+  ///@{
+  /**
    * Raise an error and return an empty output where a hexahedron is inverted or degenerate, instead
    * of a warning. Off by default.
    */
@@ -167,6 +189,7 @@ private:
   bool EnsureValid = true;
   bool ImproveQuality = true;
   bool Certify = true;
+  bool GenerateTopologicalModel = false;
   bool FailIfInvalid = false;
 };
 

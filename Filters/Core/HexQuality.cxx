@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexQuality.h"
 
+#include "Errors.h"
+
 #include "BezierHex.h"
 #include "BezierMinimum.h"
 #include "HexBatch.h"
@@ -125,6 +127,7 @@ namespace
 {
 // Of an even number of hexahedra, so that batches do not depend on the pieces.
 constexpr Index HexesPerPiece = 4096;
+constexpr Index HexesPerReport = 256 * HexesPerPiece;
 
 // The coordinates of the eight corners of a hexahedron.
 using CornerPointers = std::array<const double*, 8>;
@@ -235,8 +238,8 @@ void judge(Index begin, Index end, const CornersOf& cornersOf, bool certify, Hex
 }
 }
 
-std::vector<HexQuality> hexQualities(
-  const PointsRef& points, const HexesRef& hexes, bool certify, const ParallelFor& parallelFor)
+std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes, bool certify,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
   std::vector<HexQuality> qualities(static_cast<std::size_t>(hexes.rows()));
   const auto cornersOf = [&](Index h) {
@@ -247,8 +250,14 @@ std::vector<HexQuality> hexQualities(
     }
     return pointers;
   };
-  forPieces(parallelFor, hexes.rows(), HexesPerPiece,
-    [&](Index begin, Index end) { judge(begin, end, cornersOf, certify, qualities.data()); });
+  for (Index first = 0; first < hexes.rows(); first += HexesPerReport)
+  {
+    reportProgress(progress, static_cast<double>(first) / static_cast<double>(hexes.rows()));
+    forPieces(parallelFor, std::min(HexesPerReport, hexes.rows() - first), HexesPerPiece,
+      [&](Index begin, Index end) {
+        judge(first + begin, first + end, cornersOf, certify, qualities.data());
+      });
+  }
   return qualities;
 }
 

@@ -28,6 +28,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -717,4 +718,69 @@ TEST(CageHexInterior, EnsureValidAndImproveQualityDoWhatTheySay)
   EXPECT_EQ(events.warnings.size(), 1u);
   EXPECT_EQ(
     filter->GetOutput()->GetFieldData()->GetArray("SweepReportStepMended")->GetTuple1(1), inverted);
+}
+
+TEST(CageHexInterior, EveryMethodReproducesAStraightSweep)
+{
+  // Sheared, with a hole: the layers are translated caps.
+  const Sweep sweep =
+    test::makeSweep(12, 9, true, test::evenLayers(5), [](double x, double y, double t) {
+      return Eigen::RowVector3d(x + 0.7 * t, y - 0.4 * t, 2 * t);
+    });
+  const double size = 3.0;
+  const std::map<int, std::pair<const char*, double>> methods{ { vtkCageHexInterior::BLEND,
+                                                                 { "Blend", 1e-12 } },
+    { vtkCageHexInterior::HARMONIC_COORDINATES, { "HarmonicCoordinates", 1e-12 } },
+    { vtkCageHexInterior::MEAN_VALUE_COORDINATES, { "MeanValueCoordinates", 1e-9 } },
+    { vtkCageHexInterior::GREEN_COORDINATES, { "GreenCoordinates", 1e-9 } },
+    { vtkCageHexInterior::AFFINE_BOUNDARY_ERROR, { "AffineBoundaryError", 1e-12 } } };
+  for (const auto& [method, expected] : methods)
+  {
+    Case input(sweep);
+    input.filter->SetMethod(method);
+    vtkUnstructuredGrid* output = input.run();
+    ASSERT_EQ(output->GetNumberOfPoints(), sweep.layers.rows()) << expected.first;
+    EXPECT_TRUE(input.events.warnings.empty());
+    EXPECT_EQ(
+      vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("SweepReportMethod"))
+        ->GetValue(0),
+      std::string(expected.first));
+    for (Index i = 0; i < sweep.layers.rows(); ++i)
+    {
+      ASSERT_LT((Eigen::RowVector3d(output->GetPoint(i)) - sweep.layers.row(i)).norm(),
+        expected.second * size)
+        << expected.first;
+    }
+  }
+}
+
+TEST(CageHexInterior, TheTopologicalModelIsTheTargetTranslated)
+{
+  const Sweep sweep =
+    test::makeSweep(12, 9, true, test::evenLayers(5), [](double x, double y, double t) {
+      return Eigen::RowVector3d((1 + t) * x + 0.7 * t * t, y - 0.4 * t, 2 * t + 0.1 * t * x);
+    });
+  Case input(sweep);
+  EXPECT_EQ(input.run()->GetNumberOfCells(), 5 * sweep.quads.rows());
+  EXPECT_EQ(input.filter->GetOutput(1)->GetNumberOfCells(), 0);
+  input.filter->GenerateTopologicalModelOn();
+  input.filter->Update();
+  vtkUnstructuredGrid* model = input.filter->GetOutput(1);
+  const Index n = sweep.source.rows();
+  ASSERT_EQ(model->GetNumberOfPoints(), 6 * n);
+  ASSERT_EQ(model->GetNumberOfCells(), 5 * sweep.quads.rows());
+  EXPECT_EQ(countInverted(model), 0);
+  const auto point = [&](Index k, Index i) -> Eigen::RowVector3d {
+    return Eigen::RowVector3d(model->GetPoint(k * n + i));
+  };
+  const Eigen::RowVector3d step = point(5, 0) - point(4, 0);
+  EXPECT_GT(step.norm(), 0.1);
+  for (Index k = 0; k <= 5; ++k)
+  {
+    for (Index i = 0; i < n; ++i)
+    {
+      const Eigen::RowVector3d expected = sweep.target.row(i) - static_cast<double>(5 - k) * step;
+      ASSERT_LT((point(k, i) - expected).norm(), 1e-12);
+    }
+  }
 }

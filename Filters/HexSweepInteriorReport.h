@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What vtkCageHexInterior reports of its work. Private to the module.
+ */
+#ifndef HexSweepInteriorReport_h
+#define HexSweepInteriorReport_h
+
+#include "Core/SweepInterior.h"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+
+namespace hexsweep
+{
+/// Seconds of each stage of the work.
+class StageClock
+{
+public:
+  void finish(const std::string& stage)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    this->Names.push_back(stage);
+    this->Seconds.push_back(std::chrono::duration<double>(now - this->Start).count());
+    this->Start = now;
+  }
+
+  /// Work that was timed where it was done.
+  void finish(const std::vector<InteriorStep>& steps)
+  {
+    for (const InteriorStep& step : steps)
+    {
+      this->Names.push_back(step.name);
+      this->Seconds.push_back(step.seconds);
+    }
+    this->Start = std::chrono::steady_clock::now();
+  }
+
+  /// `SweepReportStages` and `SweepReportSeconds`.
+  void report(vtkFieldData* fieldData) const;
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+  std::vector<std::string> Names;
+  std::vector<double> Seconds;
+};
+
+/// What the cascade did, step by step, and what no interior could have done; nothing where nobody
+/// looked at the hexahedra on the way.
+void addStepReport(
+  vtkFieldData* fieldData, const SweepInterior& interior, const InteriorOptions& options);
+
+/**
+ * How many hexahedra are inverted or degenerate, where the first ten are, and what to do.
+ *
+ * @param points, hexes as they are put out, with the quality of each.
+ */
+std::string describeInverted(const PointsRef& points, const HexesRef& hexes,
+  const std::vector<HexQuality>& qualities, const FixedCorners& fixed);
+}
+
+#endif

@@ -80,12 +80,13 @@ inline void makeCap(int nx, int ny, bool hole, hexsweep::PlanePoints& points, Qu
   quads = Eigen::Map<const Quads>(corners.data(), static_cast<Index>(corners.size()) / 4, 4);
 }
 
-/// @param positions t of each layer, from 0 to 1.
-inline Sweep makeSweep(
-  int nx, int ny, bool hole, const std::vector<double>& positions, const Motion& motion)
+/// Sweeps any cap. @param positions t of each layer, from 0 to 1.
+inline Sweep sweepCap(const hexsweep::PlanePoints& cap, const Quads& quads,
+  const std::vector<double>& positions, const Motion& motion)
 {
   Sweep sweep;
-  makeCap(nx, ny, hole, sweep.cap, sweep.quads);
+  sweep.cap = cap;
+  sweep.quads = quads;
   const Index n = sweep.cap.rows();
   const Index layers = static_cast<Index>(positions.size()) - 1;
   sweep.numberOfLayers = layers;
@@ -142,6 +143,16 @@ inline Sweep makeSweep(
     }
   }
   return sweep;
+}
+
+/// Sweeps makeCap().
+inline Sweep makeSweep(
+  int nx, int ny, bool hole, const std::vector<double>& positions, const Motion& motion)
+{
+  hexsweep::PlanePoints cap;
+  Quads quads;
+  makeCap(nx, ny, hole, cap, quads);
+  return sweepCap(cap, quads, positions, motion);
 }
 
 inline std::vector<double> evenLayers(int layers)

@@ -6,6 +6,7 @@
 #include "Core/Errors.h"
 #include "Core/GreenCoordinates.h"
 #include "Core/HarmonicCoordinates.h"
+#include "Core/LayerMarch.h"
 #include "Core/MeanValueCoordinates.h"
 #include "HexSweepBridge.h"
 #include "vtkCageHexInterior.h"
@@ -50,10 +51,11 @@ std::vector<InteriorStart> interiorStarts(int method)
 {
   const InteriorStart blend = threadedStart("Blend", blendInterior);
   const InteriorStart fading = threadedStart("Blend with fading bulges", fadingBlendInterior);
+  const InteriorStart march = start("LayerMarch", layerMarchInterior);
   switch (method)
   {
     case vtkCageHexInterior::AUTOMATIC:
-      return { blend, fading };
+      return { blend, fading, march };
     case vtkCageHexInterior::BLEND:
       return { blend };
     case vtkCageHexInterior::HARMONIC_COORDINATES:
@@ -62,12 +64,15 @@ std::vector<InteriorStart> interiorStarts(int method)
       return { cageStart("MeanValueCoordinates", meanValueInterior) };
     case vtkCageHexInterior::GREEN_COORDINATES:
       return { cageStart("GreenCoordinates", greenInterior) };
+    case vtkCageHexInterior::LAYER_MARCH:
+      return { march };
     case vtkCageHexInterior::AFFINE_BOUNDARY_ERROR:
       return { start("AffineBoundaryError", boundaryErrorInterior) };
     default:
       throw InvalidInput("Method " + std::to_string(method) +
         " does not exist. Use AUTOMATIC (0), BLEND (1), HARMONIC_COORDINATES (2), "
-        "MEAN_VALUE_COORDINATES (3), GREEN_COORDINATES (4) or AFFINE_BOUNDARY_ERROR (6).");
+        "MEAN_VALUE_COORDINATES (3), GREEN_COORDINATES (4), LAYER_MARCH (5) or "
+        "AFFINE_BOUNDARY_ERROR (6).");
   }
 }
 }

@@ -733,6 +733,7 @@ TEST(CageHexInterior, EveryMethodReproducesAStraightSweep)
     { vtkCageHexInterior::HARMONIC_COORDINATES, { "HarmonicCoordinates", 1e-12 } },
     { vtkCageHexInterior::MEAN_VALUE_COORDINATES, { "MeanValueCoordinates", 1e-9 } },
     { vtkCageHexInterior::GREEN_COORDINATES, { "GreenCoordinates", 1e-9 } },
+    { vtkCageHexInterior::LAYER_MARCH, { "LayerMarch", 1e-12 } },
     { vtkCageHexInterior::AFFINE_BOUNDARY_ERROR, { "AffineBoundaryError", 1e-12 } } };
   for (const auto& [method, expected] : methods)
   {

@@ -167,6 +167,16 @@ inline void expectCageMethod(CageMethodInterior interior)
     EXPECT_EQ(withUnused.middleRows(k * (n + 1), n), swept.middleRows(k * n, n));
   }
 
+  // An upright step across both caps: the model slides along itself there, and points inside lie
+  // on its faces.
+  const Sweep stair = makeSweep(12, 6, false, evenLayers(4), [](double x, double y, double t) {
+    const Eigen::RowVector3d grid = cubesMotion(12, 4)(x, y, t);
+    const double side = grid.x() < 0.6 ? 0.0 : 1.0;
+    return Eigen::RowVector3d(grid + side * Eigen::RowVector3d(-1.0 / 6, 0, 0.5));
+  });
+  EXPECT_TRUE(
+    interior(stair.source, stair.target, stair.quads, boundaryOf(stair), {}, {}).allFinite());
+
   const Sweep oneLayer = makeSweep(6, 5, false, evenLayers(1), bendingMotion);
   EXPECT_EQ(
     interior(oneLayer.source, oneLayer.target, oneLayer.quads, boundaryOf(oneLayer), {}, {}),

@@ -49,7 +49,7 @@ std::vector<Index> interiorRows(
 
 Points cageInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
   const QuadsRef& quads, const SweepBoundary& boundary, const CageMethod& method,
-  const ParallelFor& parallelFor, const Progress& progress)
+  const Progress& progress, const ParallelFor& parallelFor)
 {
   Points swept = physicalModel(sourcePoints, targetPoints, quads, boundary);
   const std::vector<Index> inside = interiorRows(quads, sourcePoints.rows(), boundary);

@@ -38,7 +38,7 @@ using CageMethod = std::function<CageMap(
  */
 Points cageInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
   const QuadsRef& quads, const SweepBoundary& boundary, const CageMethod& method,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  const Progress& progress = {}, const ParallelFor& parallelFor = {});
 }
 
 #endif

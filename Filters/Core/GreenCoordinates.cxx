@@ -126,8 +126,8 @@ Points stretchedNormals(
 }
 
 Points greenInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor)
 {
   const CageMethod method = [](const PointsRef& rest, const PointsRef& deformed,
                               const TrianglesRef& triangles) -> CageMap {
@@ -139,6 +139,6 @@ Points greenInterior(const PointsRef& sourcePoints, const PointsRef& targetPoint
       return weights.vertices.transpose() * vertices + weights.faces.transpose() * normals;
     };
   };
-  return cageInterior(sourcePoints, targetPoints, quads, boundary, method, parallelFor, progress);
+  return cageInterior(sourcePoints, targetPoints, quads, boundary, method, progress, parallelFor);
 }
 }

@@ -95,8 +95,8 @@ Points stretchedNormals(
  * Parameters, result and errors as cageInterior().
  */
 Points greenInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {},
+  const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "QuadLaplacian.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hexsweep
 {
@@ -22,22 +23,24 @@ PrismSolver prismOver(
 }
 
 Points harmonicInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor)
 {
-  const Points physical = physicalModel(sourcePoints, targetPoints, quads, boundary);
+  Points swept = physicalModel(sourcePoints, targetPoints, quads, boundary);
   // About the middle of the caps: far from the origin the solver's rounding would be larger than
   // the volume.
   const Eigen::RowVector3d middle =
     0.5 * (sourcePoints.colwise().mean() + targetPoints.colwise().mean());
-  const Points centered = physical.rowwise() - middle;
-  Points swept =
-    prismOver(targetPoints, quads, boundary).extend(centered, progress).rowwise() + middle;
+  swept.rowwise() -= middle;
+  swept = prismOver(targetPoints, quads, boundary).extend(std::move(swept), progress, parallelFor);
+  swept.rowwise() += middle;
   setGivenPoints(sourcePoints, targetPoints, quads, boundary, swept);
   return swept;
 }
 
 Eigen::MatrixXd harmonicCoordinates(const PointsRef& targetPoints, const QuadsRef& quads,
-  const SweepBoundary& boundary, const std::vector<Index>& cageNodes, const Progress& progress)
+  const SweepBoundary& boundary, const std::vector<Index>& cageNodes, const Progress& progress,
+  const ParallelFor& parallelFor)
 {
   const Index n = targetPoints.rows();
   const Index layers = boundary.numberOfLayers();
@@ -72,7 +75,9 @@ Eigen::MatrixXd harmonicCoordinates(const PointsRef& targetPoints, const QuadsRe
       return static_cast<double>(done) / static_cast<double>(count);
     };
     coordinates.middleCols(first, columns) =
-      prism.extend(values, progressPart(progress, part(first), part(first + columns)))
+      prism
+        .extend(std::move(values), progressPart(progress, part(first), part(first + columns)),
+          parallelFor)
         .leftCols(columns);
   }
   return coordinates;

@@ -11,18 +11,19 @@
  *
  * Here the harmonic functions are the discrete ones of PrismSolver, with trilinear elements on the
  * prism, so that boundary values are bilinear on the quads of the cage. The paper's properties:
- * interpolation (1), linear reproduction on planar caps (5) and partition of unity (6) hold to
- * rounding. So does (7): the linear functions that are the barycentric coordinates of a simplex
- * come back from their values at the cage vertices. Non-negativity (3) and no interior extrema (4)
- * are certain for layers as high as the quads are wide, where every value is a mean of its
- * neighbours' with weights that are not negative; where hexahedra are flat or slender, one to
- * three, a coordinate can fall to -0.23 beside its vertex. The functions are smooth (2) in the
- * limit only.
+ * interpolation (1) holds bit for bit; linear reproduction on planar caps (5) and partition of
+ * unity (6) to the accuracy of the solver (1e-12 a coordinate). So does (7): the linear functions
+ * that are the barycentric coordinates of a simplex come back from their values at the cage
+ * vertices. Non-negativity (3) and no interior extrema (4) are certain for layers as high as the
+ * quads are wide, where every value is a mean of its neighbours' with weights that are not
+ * negative; where hexahedra are flat or slender, one to three, a coordinate can fall to -0.23
+ * beside its vertex. The functions are smooth (2) in the limit only.
  */
 #ifndef hexsweep_HarmonicCoordinates_h
 #define hexsweep_HarmonicCoordinates_h
 
 #include "Mesh.h"
+#include "ParallelFor.h"
 #include "SweepBoundary.h"
 
 namespace hexsweep
@@ -41,7 +42,8 @@ namespace hexsweep
  * Parameters, result and errors as blendInterior().
  */
 Points harmonicInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {},
+  const ParallelFor& parallelFor = {});
 
 /**
  * Harmonic coordinates of some cage vertices, at all points of the model. Three of them cost as
@@ -54,8 +56,8 @@ Points harmonicInterior(const PointsRef& sourcePoints, const PointsRef& targetPo
  * @throw InvalidInput when a node is not on the cage; SolverFailure, Aborted (progress).
  */
 Eigen::MatrixXd harmonicCoordinates(const PointsRef& targetPoints, const QuadsRef& quads,
-  const SweepBoundary& boundary, const std::vector<Index>& cageNodes,
-  const Progress& progress = {});
+  const SweepBoundary& boundary, const std::vector<Index>& cageNodes, const Progress& progress = {},
+  const ParallelFor& parallelFor = {});
 }
 
 #endif

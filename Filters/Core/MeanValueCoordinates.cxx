@@ -100,8 +100,8 @@ Eigen::VectorXd MeanValueCoordinates::at(const Eigen::RowVector3d& point) const
 }
 
 Points meanValueInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor)
 {
   const CageMethod method = [](const PointsRef& rest, const PointsRef& deformed,
                               const TrianglesRef& triangles) -> CageMap {
@@ -111,6 +111,6 @@ Points meanValueInterior(const PointsRef& sourcePoints, const PointsRef& targetP
       return coordinates->at(point).transpose() * vertices;
     };
   };
-  return cageInterior(sourcePoints, targetPoints, quads, boundary, method, parallelFor, progress);
+  return cageInterior(sourcePoints, targetPoints, quads, boundary, method, progress, parallelFor);
 }
 }

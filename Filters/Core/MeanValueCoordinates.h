@@ -58,8 +58,8 @@ private:
  * Parameters, result and errors as cageInterior().
  */
 Points meanValueInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {},
+  const ParallelFor& parallelFor = {});
 }
 
 #endif

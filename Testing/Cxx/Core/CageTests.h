@@ -112,8 +112,8 @@ void expectStraightAffineSweepsExact(const CageInterior& interior, double tolera
 /// Boundary bit for bit, unused points straight, the same bits in any order of the work, progress,
 /// aborts, no interior at all.
 using CageMethodInterior = Points (*)(const hexsweep::PointsRef&, const hexsweep::PointsRef&,
-  const hexsweep::QuadsRef&, const hexsweep::SweepBoundary&, const hexsweep::ParallelFor&,
-  const hexsweep::Progress&);
+  const hexsweep::QuadsRef&, const hexsweep::SweepBoundary&, const hexsweep::Progress&,
+  const hexsweep::ParallelFor&);
 
 inline void expectCageMethod(CageMethodInterior interior)
 {
@@ -122,7 +122,7 @@ inline void expectCageMethod(CageMethodInterior interior)
   const auto boundary = boundaryOf(sweep);
   const auto run = [&](
                      const hexsweep::ParallelFor& parallelFor, const hexsweep::Progress& progress) {
-    return interior(sweep.source, sweep.target, sweep.quads, boundary, parallelFor, progress);
+    return interior(sweep.source, sweep.target, sweep.quads, boundary, progress, parallelFor);
   };
   const Points swept = run({}, {});
   EXPECT_TRUE(swept.allFinite());

@@ -189,7 +189,12 @@ TEST(HarmonicInterior, StraightAffineSweepsAreExact)
 
 TEST(HarmonicInterior, BoundaryIsKeptBitForBit)
 {
-  test::expectBoundaryBitForBit(hexsweep::harmonicInterior);
+  test::expectBoundaryBitForBit(
+    [](const hexsweep::PointsRef& source, const hexsweep::PointsRef& target,
+      const hexsweep::QuadsRef& quads, const hexsweep::SweepBoundary& boundary,
+      const hexsweep::Progress& progress) {
+      return hexsweep::harmonicInterior(source, target, quads, boundary, progress);
+    });
 }
 
 TEST(HarmonicInterior, UnusedPointsGoStraight)

@@ -34,17 +34,6 @@ InteriorStart threadedStart(const char* name, ThreadedInterior interior)
               cage.source, cage.target, cage.quads, cage.boundary, progress, smpFor());
           } };
 }
-
-using CageCoordinates = Points (*)(const PointsRef&, const PointsRef&, const QuadsRef&,
-  const SweepBoundary&, const ParallelFor&, const Progress&);
-
-InteriorStart cageStart(const char* name, CageCoordinates interior)
-{
-  return { name, [interior](const SweepCage& cage, const Progress& progress) {
-            return interior(
-              cage.source, cage.target, cage.quads, cage.boundary, smpFor(), progress);
-          } };
-}
 }
 
 std::vector<InteriorStart> interiorStarts(int method)
@@ -59,11 +48,11 @@ std::vector<InteriorStart> interiorStarts(int method)
     case vtkCageHexInterior::BLEND:
       return { blend };
     case vtkCageHexInterior::HARMONIC_COORDINATES:
-      return { start("HarmonicCoordinates", harmonicInterior) };
+      return { threadedStart("HarmonicCoordinates", harmonicInterior) };
     case vtkCageHexInterior::MEAN_VALUE_COORDINATES:
-      return { cageStart("MeanValueCoordinates", meanValueInterior) };
+      return { threadedStart("MeanValueCoordinates", meanValueInterior) };
     case vtkCageHexInterior::GREEN_COORDINATES:
-      return { cageStart("GreenCoordinates", greenInterior) };
+      return { threadedStart("GreenCoordinates", greenInterior) };
     case vtkCageHexInterior::LAYER_MARCH:
       return { march };
     case vtkCageHexInterior::AFFINE_BOUNDARY_ERROR:

@@ -70,10 +70,12 @@ Points modelOf(const hexsweep::SweepCage& cage)
 
 // Points, hexahedra, and what they have from the source quads.
 void fillGrid(const SweptMesh& mesh, vtkDataSet* source, const std::vector<Index>& sourceCellIds,
-  int precision, vtkUnstructuredGrid* output)
+  int precision, const hexsweep::Progress& progress, vtkUnstructuredGrid* output)
 {
+  hexsweep::reportProgress(progress, 0.0);
   output->SetPoints(hexsweep::newSweptPoints(mesh.points, precision));
   hexsweep::setSweptCells(output, mesh.connectivity);
+  hexsweep::reportProgress(progress, 0.4);
   const Index pointsPerLayer = source->GetNumberOfPoints();
   std::vector<Index> pointIds(static_cast<std::size_t>(pointsPerLayer));
   std::iota(pointIds.begin(), pointIds.end(), Index{ 0 });
@@ -81,6 +83,7 @@ void fillGrid(const SweptMesh& mesh, vtkDataSet* source, const std::vector<Index
   hexsweep::carryAttributes(source->GetPointData(), pointIds, mesh.layers + 1, pointData);
   pointData->AddArray(hexsweep::newRepeatedIds("SourcePointIds", pointIds, mesh.layers + 1));
   pointData->AddArray(hexsweep::newLayerNumbers(pointsPerLayer, mesh.layers + 1));
+  hexsweep::reportProgress(progress, 0.7);
   vtkCellData* cellData = output->GetCellData();
   hexsweep::carryAttributes(source->GetCellData(), sourceCellIds, mesh.layers, cellData);
   cellData->AddArray(hexsweep::newRepeatedIds("SourceCellIds", sourceCellIds, mesh.layers));
@@ -150,6 +153,7 @@ int vtkCageHexInterior::RequestData(
     const hexsweep::CageInput cage =
       hexsweep::readCage(sourceData, targetData, linkingData, this->MatchTolerance);
     clock.finish("Read");
+    hexsweep::reportProgress(hexsweep::pipelineProgress(this), 0.05);
 
     hexsweep::InteriorOptions options;
     options.ensureValid = this->EnsureValid;
@@ -189,7 +193,8 @@ int vtkCageHexInterior::RequestData(
     }
 
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
-    fillGrid(mesh, sourceData, cage.sourceCellIds, this->OutputPointsPrecision, output);
+    fillGrid(mesh, sourceData, cage.sourceCellIds, this->OutputPointsPrecision,
+      hexsweep::pipelineProgress(this, 0.95, 0.98), output);
     addQualities(qualities, output->GetCellData());
 
     vtkFieldData* fieldData = output->GetFieldData();
@@ -201,7 +206,8 @@ int vtkCageHexInterior::RequestData(
     if (this->GenerateTopologicalModel)
     {
       fillGrid(sweptMesh(modelOf(cage), cage), sourceData, cage.sourceCellIds,
-        this->OutputPointsPrecision, vtkUnstructuredGrid::GetData(outputs, 1));
+        this->OutputPointsPrecision, hexsweep::pipelineProgress(this, 0.98, 1.0),
+        vtkUnstructuredGrid::GetData(outputs, 1));
     }
     clock.finish("Output");
     clock.report(fieldData);

@@ -361,8 +361,8 @@ bool HexDescent::hasFreeNodes() const
   return !this->Equations->FreeNodes.empty();
 }
 
-HexDescent::Result HexDescent::descend(
-  const Points& points, HexSamples where, double epsilon, int steps, double relativeDecrease) const
+HexDescent::Result HexDescent::descend(const Points& points, HexSamples where, double epsilon,
+  int steps, double relativeDecrease, const Progress& progress) const
 {
   System& system = *this->Equations;
   const std::vector<Sample> samples = samplesOf(where);
@@ -370,6 +370,7 @@ HexDescent::Result HexDescent::descend(
   Result result{ points, value, value, 0.0 };
   for (int step = 0; step < steps && gradient.squaredNorm() > 0.0; ++step)
   {
+    reportProgress(progress, static_cast<double>(step) / static_cast<double>(steps));
     const Eigen::VectorXd move = system.step(gradient);
     const double slope = move.dot(gradient);
     if (!move.allFinite() || !(slope < 0.0))

@@ -58,9 +58,10 @@ public:
    * @param points n x 3.
    * @param epsilon regularisation of the determinant, relative to the box, > 0.
    * @param steps at the most; fewer once a step lowers the sum by less than relativeDecrease.
+   * @throw Aborted when progress returns false.
    */
   Result descend(const Points& points, HexSamples samples, double epsilon, int steps,
-    double relativeDecrease) const;
+    double relativeDecrease, const Progress& progress = {}) const;
 
 private:
   struct System;

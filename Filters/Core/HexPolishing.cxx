@@ -23,6 +23,7 @@ constexpr double FreelyTraded = 0.5;
 constexpr double Damping = 1e-3;
 constexpr int Backtracks = 4;
 constexpr Index NodesAtOnce = 256;
+constexpr Index NodesPerReport = 64 * NodesAtOnce;
 
 HexCorners cornersOf(const Points& points, const HexesRef& hexes, Index h)
 {
@@ -99,13 +100,15 @@ struct LocalSum
 class Polisher
 {
 public:
-  Polisher(const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed)
+  Polisher(const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed,
+    const ParallelFor& parallelFor, const Progress& progress)
     : Places(points)
     , Cells(hexes)
     , AtNodes(hexes, points.rows())
   {
-    this->color(fixed);
-    this->Qualities = hexQualities(points, hexes);
+    this->color(fixed, progressPart(progress, 0.0, 0.7));
+    this->Qualities =
+      hexQualities(points, hexes, true, parallelFor, progressPart(progress, 0.7, 1.0));
     this->Minimum = 1.0;
     for (const HexQuality& quality : this->Qualities)
     {
@@ -115,18 +118,24 @@ public:
 
   const std::vector<std::vector<Index>>& groups() const { return this->Groups; }
 
-  Index moveGroup(const std::vector<Index>& nodes, const ParallelFor& parallelFor)
+  Index moveGroup(
+    const std::vector<Index>& nodes, const ParallelFor& parallelFor, const Progress& progress)
   {
     std::atomic<Index> moved{ 0 };
-    forPieces(
-      parallelFor, static_cast<Index>(nodes.size()), NodesAtOnce, [&](Index begin, Index end) {
-        Index here = 0;
-        for (Index k = begin; k < end; ++k)
-        {
-          here += this->move(nodes[static_cast<std::size_t>(k)]);
-        }
-        moved += here;
-      });
+    const Index count = static_cast<Index>(nodes.size());
+    for (Index first = 0; first < count; first += NodesPerReport)
+    {
+      reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
+      forPieces(parallelFor, std::min(NodesPerReport, count - first), NodesAtOnce,
+        [&](Index begin, Index end) {
+          Index here = 0;
+          for (Index k = first + begin; k < first + end; ++k)
+          {
+            here += this->move(nodes[static_cast<std::size_t>(k)]);
+          }
+          moved += here;
+        });
+    }
     return moved;
   }
 
@@ -134,12 +143,16 @@ public:
 
 private:
   /// Groups of nodes that share no hexahedron, greedily.
-  void color(const std::vector<bool>& fixed)
+  void color(const std::vector<bool>& fixed, const Progress& progress)
   {
     std::vector<int> colors(fixed.size(), -1);
     std::vector<bool> taken;
     for (std::size_t i = 0; i < fixed.size(); ++i)
     {
+      if (i % static_cast<std::size_t>(NodesPerReport) == 0)
+      {
+        reportProgress(progress, static_cast<double>(i) / static_cast<double>(fixed.size()));
+      }
       const auto around = this->AtNodes[static_cast<Index>(i)];
       if (fixed[i] || around.begin() == around.end())
       {
@@ -266,15 +279,18 @@ PolishedHexes polishHexes(const PointsRef& points, const HexesRef& hexes,
   const Progress& progress)
 {
   PolishedHexes result;
-  Polisher polisher(points, hexes, fixed);
+  constexpr double preparation = 0.1;
+  Polisher polisher(points, hexes, fixed, parallelFor, progressPart(progress, 0.0, preparation));
   const std::vector<std::vector<Index>>& groups = polisher.groups();
+  const double width = (1.0 - preparation) / static_cast<double>(rounds * groups.size());
+  double done = preparation;
   for (int round = 0; round < rounds; ++round)
   {
-    for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::vector<Index>& group : groups)
     {
-      reportProgress(
-        progress, (round + static_cast<double>(g) / static_cast<double>(groups.size())) / rounds);
-      result.movedNodes += polisher.moveGroup(groups[g], parallelFor);
+      result.movedNodes +=
+        polisher.moveGroup(group, parallelFor, progressPart(progress, done, done + width));
+      done += width;
     }
   }
   result.points = polisher.take();

@@ -17,6 +17,8 @@ namespace
 {
 constexpr int FirstRings = 3;
 constexpr int Attempts = 2; // the second with twice the rings
+/// Share of the progress that each look at all hexahedra takes.
+constexpr double Judging = 0.1;
 constexpr int MaximumRounds = 200;
 /// Rounds in a row without progress that end the search.
 constexpr int StagnantRounds = 8;
@@ -102,11 +104,12 @@ PatchResult untanglePatch(
   for (int round = 0; round < MaximumRounds && stagnant < StagnantRounds && best.quality.bad > 0;
        ++round)
   {
-    reportProgress(progress, static_cast<double>(round) / MaximumRounds);
     const HexSamples samples =
       current.quality.invertedCorners > 0 ? HexSamples::Corners : HexSamples::Lattice;
     HexDescent::Result step =
-      descent.descend(current.points, samples, epsilon, NewtonSteps, Settled);
+      descent.descend(current.points, samples, epsilon, NewtonSteps, Settled,
+        progressPart(progress, static_cast<double>(round) / MaximumRounds,
+          static_cast<double>(round + 1) / MaximumRounds));
     current.points = std::move(step.points);
     current.quality = measure(current.points, patch.hexes, conflicts);
     ++best.rounds;
@@ -128,10 +131,12 @@ PatchResult untanglePatch(
   return best;
 }
 
-std::vector<Index> badHexes(const PointsRef& points, const HexesRef& hexes)
+std::vector<Index> badHexes(const PointsRef& points, const HexesRef& hexes,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
   std::vector<Index> bad;
-  const std::vector<HexQuality> qualities = hexQualities(points, hexes);
+  const std::vector<HexQuality> qualities =
+    hexQualities(points, hexes, true, parallelFor, progress);
   for (std::size_t h = 0; h < qualities.size(); ++h)
   {
     if (isBad(qualities[h]))
@@ -162,11 +167,12 @@ Points rowsOf(const Points& points, const std::vector<Index>& rows)
 }
 
 UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
-  const std::vector<bool>& fixed, const Progress& progress)
+  const std::vector<bool>& fixed, const ParallelFor& parallelFor, const Progress& progress)
 {
   UntangledHexes result;
   result.points = points;
-  std::vector<Index> bad = badHexes(points, hexes);
+  std::vector<Index> bad =
+    badHexes(points, hexes, parallelFor, progressPart(progress, 0.0, Judging));
   result.before = result.after = static_cast<Index>(bad.size());
   const std::vector<Index> conflicts = fixedCorners(points, hexes, fixed).conflicts;
   bad = without(bad, conflicts);
@@ -179,6 +185,9 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
   for (int attempt = 0; attempt < Attempts && !bad.empty(); ++attempt, rings *= 2)
   {
     const std::vector<HexPatch> patches = hexPatches(hexes, atNodes, bad, rings, fixed);
+    const double begin = Judging + (1.0 - Judging) * attempt / Attempts;
+    const double end = Judging + (1.0 - Judging) * (attempt + 1) / Attempts;
+    const double width = (end - Judging - begin) / static_cast<double>(patches.size());
     for (std::size_t p = 0; p < patches.size(); ++p)
     {
       const HexPatch& patch = patches[p];
@@ -187,8 +196,7 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
       {
         wanted.row(static_cast<Index>(c)) = boxes.row(patch.cells[c]);
       }
-      const double width = 1.0 / static_cast<double>(patches.size() * Attempts);
-      const double done = static_cast<double>(attempt) / Attempts + static_cast<double>(p) * width;
+      const double done = begin + static_cast<double>(p) * width;
       const PatchResult mended = untanglePatch(patch, rowsOf(result.points, patch.nodes), wanted,
         progressPart(progress, done, done + width));
       result.rounds += mended.rounds;
@@ -198,7 +206,7 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
       }
     }
     result.patches += static_cast<Index>(patches.size());
-    bad = badHexes(result.points, hexes);
+    bad = badHexes(result.points, hexes, parallelFor, progressPart(progress, end - Judging, end));
     result.after = static_cast<Index>(bad.size());
     bad = without(bad, conflicts);
   }

@@ -8,6 +8,7 @@
 
 #include "HexDescent.h"
 #include "HexQuality.h"
+#include "ParallelFor.h"
 
 namespace hexsweep
 {
@@ -38,7 +39,8 @@ struct UntangledHexes
  * @throw Aborted when progress returns false.
  */
 UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
-  const std::vector<bool>& fixed, const Progress& progress = {});
+  const std::vector<bool>& fixed, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
 }
 
 #endif

@@ -73,13 +73,15 @@ public:
   {
     const Stopwatch watch;
     Candidate candidate;
-    candidate.points = start.method(this->Cage, progress);
+    candidate.points = start.method(this->Cage, progressPart(progress, 0.0, 0.8));
     candidate.method = start.name;
     if (this->Options.ensureValid || this->Options.polishingRounds > 0)
     {
+      reportProgress(progress, 0.8);
       candidate.hexes =
         sweptHexes(this->Cage.quads, candidate.points, this->Cage.boundary.numberOfLayers());
-      this->measure(candidate);
+      reportProgress(progress, 0.85);
+      this->measure(candidate, progressPart(progress, 0.85, 1.0));
     }
     this->finish(start.name, candidate.quality.notCertified, 0, watch);
     return candidate;
@@ -89,10 +91,11 @@ public:
   {
     const Stopwatch watch;
     UntangledHexes untangled = untangleHexes(candidate.points, candidate.hexes,
-      sweptBoxes(candidate.points, this->Cage.quads, this->Cage.boundary), this->Fixed, progress);
+      sweptBoxes(candidate.points, this->Cage.quads, this->Cage.boundary), this->Fixed,
+      this->Options.parallelFor, progressPart(progress, 0.0, 0.9));
     candidate.points = std::move(untangled.points);
     candidate.method += " + untangling";
-    this->measure(candidate);
+    this->measure(candidate, progressPart(progress, 0.9, 1.0));
     this->finish("Untangling", untangled.after, untangled.before - untangled.after, watch);
   }
 
@@ -118,10 +121,10 @@ public:
     const Stopwatch watch;
     const Index before = this->Best->quality.notCertified;
     PolishedHexes polished = polishHexes(this->Best->points, this->Best->hexes, this->Fixed,
-      this->Options.polishingRounds, this->Options.parallelFor, progress);
+      this->Options.polishingRounds, this->Options.parallelFor, progressPart(progress, 0.0, 0.95));
     this->Best->points = std::move(polished.points);
     this->Best->method += " + polish";
-    this->measure(*this->Best);
+    this->measure(*this->Best, progressPart(progress, 0.95, 1.0));
     this->finish(
       "Polish", this->Best->quality.notCertified, before - this->Best->quality.notCertified, watch);
   }
@@ -137,10 +140,10 @@ public:
   }
 
 private:
-  void measure(Candidate& candidate) const
+  void measure(Candidate& candidate, const Progress& progress) const
   {
-    candidate.quality =
-      summarize(hexQualities(candidate.points, candidate.hexes, true, this->Options.parallelFor));
+    candidate.quality = summarize(
+      hexQualities(candidate.points, candidate.hexes, true, this->Options.parallelFor, progress));
   }
   void finish(const std::string& name, Index notCertified, Index mended, const Stopwatch& watch)
   {

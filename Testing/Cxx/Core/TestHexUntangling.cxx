@@ -174,6 +174,6 @@ TEST(HexUntangling, CanBeAborted)
 {
   const Block block = test::makeBlock(6);
   EXPECT_THROW(hexsweep::untangleHexes(test::shaken(block, 0.9, 1), block.hexes, cubes(block),
-                 block.fixed, [](double) { return false; }),
+                 block.fixed, {}, [](double) { return false; }),
     hexsweep::Aborted);
 }

@@ -5,12 +5,17 @@ Needs the HexSweep plugin to be loaded into paraview.simple.
 """
 
 import json
+import math
 import os
 import time
 from dataclasses import dataclass, field
 
+import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+
+from arrays import points_of
 
 # Nothing is moved after it has been placed.
 RAW = {"EnsureValid": 0, "ImproveQuality": 0}
@@ -63,6 +68,41 @@ def read_case(folder):
     )
 
 
+def bent(case, degrees):
+    """A case that is swept along z from z = 0, bent about the direction of y onto an arc.
+
+    The line x = 0 keeps its length; positive angles bend towards negative x.
+    """
+    turn = math.radians(degrees) / fetch(case.target_surface).GetBounds()[4]
+    radius = 1.0 / turn
+
+    def moved(mesh):
+        data = fetch(mesh)
+        x, y, z = points_of(data).T
+        points = vtkPoints()
+        points.SetDataTypeToDouble()
+        for point in zip(
+            (x + radius) * np.cos(z * turn) - radius, y, (x + radius) * np.sin(z * turn)
+        ):
+            points.InsertNextPoint(point)
+        copy = data.NewInstance()
+        copy.ShallowCopy(data)
+        copy.SetPoints(points)
+        producer = simple.TrivialProducer()
+        producer.GetClientSideObject().SetOutput(copy)
+        producer.UpdatePipeline()
+        return producer
+
+    return Case(
+        case.name,
+        case.note,
+        moved(case.source_quads),
+        moved(case.source_surface),
+        moved(case.target_surface),
+        moved(case.linking_quads),
+    )
+
+
 def sweep_harmonic(case, report, raw=False):
     """HexSweep's own chain: both caps into one disk, quads across, interior, verdict.
 
@@ -96,6 +136,11 @@ def sweep_harmonic(case, report, raw=False):
         _set(target_quads, **RAW)
     run.stage("quads onto the target", target_quads)
     return _interior(case, target_quads, run, **(RAW if raw else {}))
+
+
+def sweep_blend(case, target_quads, report):
+    """The first step of HexSweep's interior alone, raw, on quads that another chain projected."""
+    return _interior(case, target_quads, _Stages(report), Method="Blend", **RAW)
 
 
 def sweep_affine(case, report):
@@ -155,9 +200,26 @@ def fetch(proxy):
 
 
 def reported(data, name):
-    """The single value of the report `SweepReport<name>` in the field data, None without it."""
-    array = data.GetFieldData().GetArray("SweepReport" + name)
-    return array.GetTuple1(0) if array else None
+    """The first value of the report `SweepReport<name>` in the field data, None without it."""
+    array = data.GetFieldData().GetAbstractArray("SweepReport" + name)
+    if not array:
+        return None
+    value = array.GetVariantValue(0)
+    return value.ToString() if value.IsString() else value.ToDouble()
+
+
+def inverted_quads(sweep):
+    return int(reported(fetch(sweep.target_quads), "InvertedQuads"))
+
+
+def inverted_hexes(sweep):
+    """Inverted or degenerate, as HexValidity reports them."""
+    hexes = fetch(sweep.hexes)
+    return int(reported(hexes, "Inverted")) + int(reported(hexes, "Degenerate"))
+
+
+def uncertified_hexes(sweep):
+    return int(reported(fetch(sweep.hexes), "NotCertified"))
 
 
 def scaled_jacobians(proxy):

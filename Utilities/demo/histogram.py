@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The quality histogram of two meshes of one model in the same bins."""
+"""Quality histograms of two meshes of one model in the same bins."""
 
 import numpy as np
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401  (the 2D chart's device)
@@ -7,7 +7,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartLegend, vtkChartXY
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.vtkCommonDataModel import vtkRectf, vtkTable
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from vtkmodules.vtkViewsContext2D import vtkContextView
@@ -20,23 +20,52 @@ def draw_histogram(title, series, file_name, bin_width=0.05):
 
     All inverted hexes are in one bin left of zero, which is there even when it is empty.
     """
-    edges = np.arange(-1, round(1 / bin_width) + 1) * bin_width
+    shares = [_shares(values, bin_width) for _, values in series]
+    names = [_legend(name, values) for name, values in series]
+    chart = _chart(title, names, shares, COLOURS, np.max(shares), bin_width)
+    _write([chart], (1400, 800), file_name)
+
+
+def draw_histograms_beside(series, file_name, size=(1600, 520), bin_width=0.05):
+    """A chart for each of `series`, side by side, with the same bins and the same scale."""
+    shares = [_shares(values, bin_width) for _, values in series]
+    charts = []
+    width = size[0] / len(series)
+    for place, (name, values) in enumerate(series):
+        chart = _chart(
+            "", [_legend(name, values)], shares[place : place + 1], COLOURS[place:],
+            np.max(shares), bin_width,
+        )
+        chart.SetAutoSize(False)
+        chart.SetSize(vtkRectf(place * width, 0, width, size[1]))
+        charts.append(chart)
+    _write(charts, size, file_name)
+
+
+def _edges(bin_width):
+    return np.arange(-1, round(1 / bin_width) + 1) * bin_width
+
+
+def _shares(values, bin_width):
+    binned = np.where(values > 0, np.minimum(values, 1.0), -0.5 * bin_width)
+    counts, _ = np.histogram(binned, bins=_edges(bin_width))
+    return 100.0 * counts / len(values)
+
+
+def _chart(title, names, shares, colours, highest, bin_width):
+    """Bars of one colour for each of `shares`, called by `names`, up to `highest` per cent."""
+    edges = _edges(bin_width)
     table = vtkTable()
     _add_column(table, "centre", 0.5 * (edges[1:] + edges[:-1]))
-    highest = 0.0
-    for name, values in series:
-        binned = np.where(values > 0, np.minimum(values, 1.0), -0.5 * bin_width)
-        counts, _ = np.histogram(binned, bins=edges)
-        shares = 100.0 * counts / len(values)
-        highest = max(highest, shares.max())
-        _add_column(table, _legend(name, values), shares)
+    for name, column in zip(names, shares):
+        _add_column(table, name, column)
 
     chart = vtkChartXY()
     chart.SetTitle(title)
     chart.GetTitleProperties().SetFontSize(30)
     chart.GetTitleProperties().SetBold(True)
     chart.SetBarWidthFraction(0.9)
-    for column, colour in enumerate(COLOURS[: len(series)], start=1):
+    for column, colour in enumerate(colours[: len(names)], start=1):
         bars = chart.AddPlot(vtkChart.BAR)
         bars.SetInputData(table, 0, column)
         bars.SetColor(*colour, 255)
@@ -58,14 +87,18 @@ def draw_histogram(title, series, file_name, bin_width=0.05):
     legend.SetLabelSize(22)
     legend.SetInline(True)
     legend.GetPen().SetLineType(0)
+    return chart
 
+
+def _write(charts, size, file_name):
     view = vtkContextView()
     view.GetRenderer().SetBackground(1, 1, 1)
     window = view.GetRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetSize(1400, 800)
+    window.SetSize(*size)
     window.SetMultiSamples(0)
-    view.GetScene().AddItem(chart)
+    for chart in charts:
+        view.GetScene().AddItem(chart)
     view.Render()
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)

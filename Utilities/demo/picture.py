@@ -65,8 +65,57 @@ def draw_hexes(case, sweep, file_name, size=(1600, 1000)):
     simple.Delete(view)
 
 
+def draw_beside(case, sweeps, file_name, size=(1600, 760)):
+    """Two meshes of one case cut open, side by side, with all that is inverted in front of the cut.
+
+    `sweeps` are two pairs of a title and a chain.Sweep.
+    """
+    first = sweeps[0][1]
+    frame = _Frame(points_of(fetch(case.source_quads)), points_of(fetch(first.target_quads)),
+                   points_of(fetch(first.hexes)))
+    simple._DisableFirstRenderCameraReset()
+    layout = simple.CreateLayout(name=file_name)
+    layout.SplitHorizontal(0, 0.5)
+    views = [_view(), _view()]
+    for cell, view in enumerate(views, start=1):
+        layout.AssignView(cell, view)
+    layout.SetSize(*size)
+    seen = []
+    for view, (title, sweep) in zip(views, sweeps):
+        view.ViewSize = [size[0] // 2, size[1]]
+        seen.append(draw_cut(view, sweep.hexes, frame, title))
+        seen.append(_show_inverted(view, sweep.hexes))
+    # One camera for both: the same hex is at the same place.
+    for view in views:
+        _look(view, np.concatenate(seen), *frame.cut_camera(), room=(0.19, 0.09))
+    simple.SaveScreenshot(file_name, layout, ImageResolution=list(size), SeparatorWidth=0)
+    for view in views:
+        simple.Delete(view)
+    simple.RemoveLayout(layout)
+
+
+def _show_inverted(view, hexes):
+    """All hexes that are inverted at a corner, in red; returns their points."""
+    bad = simple.Threshold(Input=hexes, Scalars=["CELLS", "ScaledJacobian"])
+    # Not above: there a 0 counts as not given.
+    bad.LowerThreshold, bad.UpperThreshold = -2.0, 0.0
+    bad.UpdatePipeline()
+    if fetch(bad).GetNumberOfCells() == 0:
+        return np.empty((0, 3))
+    display = simple.Show(bad, view, "UnstructuredGridRepresentation")
+    display.Representation = "Surface With Edges"
+    simple.ColorBy(display, None)
+    display.AmbientColor = display.DiffuseColor = INVERTED
+    display.EdgeColor = [0.45, 0.05, 0.06]
+    display.LineWidth = 0.6
+    return points_of(fetch(bad))
+
+
 def draw_cut(view, hexes, frame, title):
-    """Whole hexes on one side of a plane along the sweep, coloured by scaled Jacobian."""
+    """Whole hexes on one side of a plane along the sweep, coloured by scaled Jacobian.
+
+    Returns the points (n x 3) of the surface that is seen.
+    """
     clip = simple.Clip(Input=hexes, ClipType="Plane", Crinkleclip=1)
     clip.ClipType.Origin = list(frame.centre)
     clip.ClipType.Normal = list(frame.cut_normal)
@@ -95,7 +144,9 @@ def draw_cut(view, hexes, frame, title):
     bar.UseCustomLabels, bar.CustomLabels = 1, [0.25, 0.5, 0.75]
     display.SetScalarBarVisibility(view, True)
     _title(view, title)
-    _look(view, _points_of_surface(skin), *frame.cut_camera(), room=(0.17, 0.12 if title else 0.03))
+    points = _points_of_surface(skin)
+    _look(view, points, *frame.cut_camera(), room=(0.17, 0.12 if title else 0.03))
+    return points
 
 
 def _draw_cap(view, quads, inverted, title, direction, up):

@@ -19,6 +19,7 @@ import chain  # noqa: E402
 import histogram  # noqa: E402
 import picture  # noqa: E402
 from messages import messages_to  # noqa: E402
+from tables import text_table  # noqa: E402
 
 COLUMNS = [
     ("model", "<"),
@@ -27,6 +28,7 @@ COLUMNS = [
     ("quads inverted ours", ">"),
     ("hexes inverted affine", ">"),
     ("hexes inverted ours", ">"),
+    ("not certified ours", ">"),
     ("min SJ", ">"),
     ("mean SJ", ">"),
     ("seconds", ">"),
@@ -42,7 +44,7 @@ def main():
     for number, folder in enumerate(_folders(arguments.data, arguments.models), start=1):
         print(f"[{number}/{len(arguments.models)}] {os.path.basename(folder)}", flush=True)
         rows.append(sweep_model(folder, arguments.output))
-    table = _table(rows)
+    table = text_table(COLUMNS, rows)
     with open(os.path.join(arguments.output, "table.txt"), "w", encoding="utf-8") as file:
         file.write(table)
     print("\n" + table)
@@ -86,25 +88,16 @@ def sweep_model(folder, output):
     return [
         case.name,
         str(count),
-        str(_inverted_quads(affine)),
-        str(_inverted_quads(harmonic)),
-        str(_inverted_hexes(affine)),
-        str(_inverted_hexes(harmonic)),
+        str(chain.inverted_quads(affine)),
+        str(chain.inverted_quads(harmonic)),
+        str(chain.inverted_hexes(affine)),
+        str(chain.inverted_hexes(harmonic)),
+        str(chain.uncertified_hexes(harmonic)),
         f"{sj['ours'].min():.3f}",
         f"{sj['ours'].mean():.3f}",
         f"{harmonic.total_seconds:.2f}",
         f"{count / harmonic.total_seconds / 1e6:.3f}",
     ]
-
-
-def _inverted_quads(sweep):
-    return int(chain.reported(chain.fetch(sweep.target_quads), "InvertedQuads"))
-
-
-def _inverted_hexes(sweep):
-    """Inverted or degenerate, as HexValidity reports them."""
-    hexes = chain.fetch(sweep.hexes)
-    return int(chain.reported(hexes, "Inverted")) + int(chain.reported(hexes, "Degenerate"))
 
 
 def _progress(stage, seconds):
@@ -113,26 +106,6 @@ def _progress(stage, seconds):
 
 def _message(line):
     print(f"      ! {line}", flush=True)
-
-
-def _table(rows):
-    """A plain text table whose headings stand above their columns, one word a line."""
-    headings = [name.split() for name, _ in COLUMNS]
-    widths = [
-        max(len(word) for word in [*heading, *(row[i] for row in rows)])
-        for i, heading in enumerate(headings)
-    ]
-    height = max(len(heading) for heading in headings)
-    lines = [[""] * (height - len(heading)) + heading for heading in headings]
-    texts = [[line[level] for line in lines] for level in range(height)]
-    texts.append(["-" * width for width in widths])
-    texts.extend(rows)
-
-    def line(text):
-        cells = (f"{cell:{align}{width}}" for cell, (_, align), width in zip(text, COLUMNS, widths))
-        return "  ".join(cells).rstrip() + "\n"
-
-    return "".join(line(text) for text in texts)
 
 
 def _folders(data, models):

@@ -4,6 +4,11 @@
 #include "Interleaved.h"
 
 #include "Core/CanonicalDiskMap.h"
+#include "Core/LoopGeometry.h"
+#include "Core/MultifrontalSolver.h"
+#include "Core/SurfaceTopology.h"
+
+#include <Eigen/SparseCholesky>
 
 #ifdef HEXSWEEP_BENCHMARK_CGAL
 #include "CgalDiskMap.h"
@@ -65,6 +70,76 @@ void againstCgal(benchmark::State& state, Numbering numbering)
 }
 #endif
 
+/// The linear system of the harmonic map: the nodes inside the loop are unknown.
+struct DirichletProblem
+{
+  hexsweep::SparseMatrix matrix; // m x m, symmetric
+  hexsweep::Points places;       // m x 3
+  Eigen::MatrixXd b;             // m x 2
+};
+
+DirichletProblem dirichletProblem(const TriangleMesh& mesh)
+{
+  const Index n = mesh.points.rows();
+  const hexsweep::Loop loop =
+    hexsweep::checkSurface(mesh.triangles, n, "benchmark's cap").loops.front();
+  const std::vector<double> angles =
+    hexsweep::arcLengthAngles(hexsweep::loopPoints(mesh.points, loop));
+  std::vector<bool> inside(static_cast<std::size_t>(n), true);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, 2);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    inside[static_cast<std::size_t>(loop[i])] = false;
+    values.row(loop[i]) << std::cos(angles[i]), std::sin(angles[i]);
+  }
+
+  const Index m = n - static_cast<Index>(loop.size());
+  hexsweep::SparseMatrix unknowns(n, m); // takes a node's column
+  unknowns.reserve(m);
+  DirichletProblem problem;
+  problem.places.resize(m, 3);
+  Index free = 0;
+  for (Index i = 0; i < n; ++i)
+  {
+    if (inside[static_cast<std::size_t>(i)])
+    {
+      problem.places.row(free) = mesh.points.row(i);
+      unknowns.startVec(free);
+      unknowns.insertBack(i, free++) = 1.0;
+    }
+  }
+  unknowns.finalize();
+  const hexsweep::SparseMatrix laplacian =
+    hexsweep::cotangentLaplacian(mesh.points, mesh.triangles);
+  const hexsweep::SparseMatrix rows = unknowns.transpose() * laplacian;
+  problem.matrix = rows * unknowns;
+  problem.b = -(rows * values);
+  return problem;
+}
+
+/// The solver alone: order, factor and two right-hand sides of the same matrix, which is assembled
+/// beforehand for both.
+void againstAmd(benchmark::State& state, Numbering numbering)
+{
+  const DirichletProblem problem = dirichletProblem(test::cap(200 * Thousand, numbering, Bulge));
+  Eigen::MatrixXd ours;
+  Eigen::MatrixXd theirs;
+  test::Interleaved runs;
+  runs.add("MultifrontalSolver", [&] {
+    hexsweep::MultifrontalSolver solver(
+      problem.matrix, hexsweep::MultifrontalSolver::Kind::Cholesky, problem.places);
+    solver.factorize(problem.matrix);
+    ours = solver.solve(problem.b);
+  });
+  runs.add("SimplicialLDLT", [&] {
+    const Eigen::SimplicialLDLT<hexsweep::SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>>
+      solver(problem.matrix);
+    theirs = solver.solve(problem.b);
+  });
+  runs.report(state);
+  state.counters["difference"] = (ours - theirs).cwiseAbs().maxCoeff();
+}
+
 /// How the time grows with the mesh, and what memory the large one takes.
 void growth(benchmark::State& state, Numbering numbering)
 {
@@ -87,6 +162,12 @@ BENCHMARK_CAPTURE(againstCgal, RandomNumbering, Numbering::Random)
   ->Iterations(1)
   ->Unit(benchmark::kSecond);
 #endif
+BENCHMARK_CAPTURE(againstAmd, FileOrder, Numbering::FileOrder)
+  ->Iterations(1)
+  ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(againstAmd, RandomNumbering, Numbering::Random)
+  ->Iterations(1)
+  ->Unit(benchmark::kSecond);
 BENCHMARK_CAPTURE(growth, FileOrder, Numbering::FileOrder)->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK_CAPTURE(growth, RandomNumbering, Numbering::Random)
   ->Iterations(1)

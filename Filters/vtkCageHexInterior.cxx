@@ -38,7 +38,7 @@ using hexsweep::HexQuality;
 using hexsweep::Index;
 using hexsweep::Points;
 
-constexpr int PolishingRounds = 4;
+constexpr int PolishingRounds = 6;
 
 struct SweptMesh
 {
@@ -200,6 +200,8 @@ int vtkCageHexInterior::RequestData(
     vtkFieldData* fieldData = output->GetFieldData();
     fieldData->PassData(targetData->GetFieldData());
     fieldData->PassData(sourceData->GetFieldData());
+    // The quads' own floor is not that of the hexahedra.
+    fieldData->RemoveArray("SweepReportFloorScaledJacobian");
     hexsweep::addQualityReport(fieldData, summary);
     hexsweep::addReport(fieldData, "SweepReportMethod", interior.method);
     hexsweep::addStepReport(fieldData, interior, options);

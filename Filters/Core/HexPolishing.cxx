@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 namespace hexsweep
 {
@@ -22,6 +23,8 @@ constexpr double FreelyTraded = 0.5;
 /// Added to the diagonal, relative to its mean.
 constexpr double Damping = 1e-3;
 constexpr int Backtracks = 4;
+/// A node whose sum falls by less of it stays where it is from then on.
+constexpr double LeastGain = 0.02;
 constexpr Index NodesAtOnce = 256;
 constexpr Index NodesPerReport = 64 * NodesAtOnce;
 
@@ -105,6 +108,7 @@ public:
     : Places(points)
     , Cells(hexes)
     , AtNodes(hexes, points.rows())
+    , Settled(fixed.size(), 0)
   {
     this->color(fixed, progressPart(progress, 0.0, 0.7));
     this->Qualities =
@@ -182,6 +186,11 @@ private:
 
   bool move(Index node)
   {
+    char& settled = this->Settled[static_cast<std::size_t>(node)];
+    if (settled)
+    {
+      return false;
+    }
     const auto around = this->AtNodes[node];
     double least = 1.0;
     for (const Index h : around)
@@ -207,12 +216,15 @@ private:
     for (int backtrack = 0; backtrack < Backtracks; ++backtrack, length *= 0.5)
     {
       this->Places.row(node) = before + length * step.transpose();
-      if (this->accept(node, floor, sum.value + 1e-4 * length * slope))
+      if (const std::optional<double> after =
+            this->accept(node, floor, sum.value + 1e-4 * length * slope))
       {
+        settled = sum.value - *after < LeastGain * sum.value;
         return true;
       }
     }
     this->Places.row(node) = before;
+    settled = 1;
     return false;
   }
 
@@ -231,11 +243,13 @@ private:
     return sum;
   }
 
-  bool accept(Index node, double floor, double greatestSum)
+  /// The sum at the node's new place, where that is to be kept.
+  std::optional<double> accept(Index node, double floor, double greatestSum)
   {
-    if (!(this->sum(node).value <= greatestSum))
+    const double value = this->sum(node).value;
+    if (!(value <= greatestSum))
     {
-      return false;
+      return std::nullopt;
     }
     const auto around = this->AtNodes[node];
     Points corners(8 * (around.end() - around.begin()), 3);
@@ -254,7 +268,7 @@ private:
       if (!(now.scaledJacobian >= floor) ||
         (old.validity == Validity::Certified && now.validity != Validity::Certified))
       {
-        return false;
+        return std::nullopt;
       }
     }
     next = 0;
@@ -262,7 +276,7 @@ private:
     {
       this->Qualities[static_cast<std::size_t>(h)] = qualities[next++];
     }
-    return true;
+    return value;
   }
 
   Points Places;
@@ -270,6 +284,7 @@ private:
   HexesAtNodes AtNodes;
   std::vector<HexQuality> Qualities;
   std::vector<std::vector<Index>> Groups;
+  std::vector<char> Settled;
   double Minimum;
 };
 }

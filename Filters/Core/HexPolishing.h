@@ -24,7 +24,7 @@ struct PolishedHexes
  * A move is made only if every hexahedron at the node that was Certified still is, and if the least
  * scaled Jacobian among them does not fall (or stays above 0.5 and above the mesh's minimum): the
  * mesh's minimum never falls, and no certificate is lost. Nodes of hexahedra that are all better
- * than 0.95 stay.
+ * than 0.95 stay, and so do those whose sum fell by less than 2 % when they were last looked at.
  *
  * Nodes that share no hexahedron are moved side by side, in groups that do not depend on the
  * number of threads: the result is the same bit for bit.

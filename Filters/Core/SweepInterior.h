@@ -38,7 +38,7 @@ struct InteriorOptions
   /// Untangle locally what is not valid.
   bool ensureValid = true;
   /// Polish what is valid: this often round the mesh.
-  int polishingRounds = 4;
+  int polishingRounds = 6;
   ParallelFor parallelFor = {};
 };
 

@@ -15,6 +15,9 @@ namespace
 {
 using Vector = Eigen::RowVector3d;
 
+/// An edge that is turned round but longer than this share of it on both loops only twists.
+constexpr double CollapsedShare = 0.25;
+
 /// Whether the quad a, b (an edge of a ring), d over a, c over b turns over on the way up.
 bool turnsOver(const Vector& a, const Vector& b, const Vector& c, const Vector& d)
 {
@@ -38,7 +41,12 @@ bool turnsOver(const Vector& a, const Vector& b, const Vector& c, const Vector& 
 
 void checkRings(const SweepBoundary& boundary, const std::vector<Loop>& loops)
 {
-  for (Index k = 1; k <= boundary.numberOfLayers(); ++k)
+  const auto edge = [&boundary](Index k, Index here, Index next) {
+    const Points& ring = boundary.rings[static_cast<std::size_t>(k)];
+    return (ring.row(next) - ring.row(here)).norm();
+  };
+  const Index layers = boundary.numberOfLayers();
+  for (Index k = 1; k <= layers; ++k)
   {
     const Points& before = boundary.rings[static_cast<std::size_t>(k - 1)];
     const Points& ring = boundary.rings[static_cast<std::size_t>(k)];
@@ -50,7 +58,10 @@ void checkRings(const SweepBoundary& boundary, const std::vector<Loop>& loops)
       {
         const Index here = first + j;
         const Index next = first + (j + 1) % size;
-        if (turnsOver(before.row(here), before.row(next), ring.row(next), ring.row(here)))
+        const bool isShort = std::min(edge(k - 1, here, next), edge(k, here, next)) <
+          CollapsedShare * std::min(edge(0, here, next), edge(layers, here, next));
+        if (isShort &&
+          turnsOver(before.row(here), before.row(next), ring.row(next), ring.row(here)))
         {
           throw InvalidInput("the linking side of " +
             std::string(first == boundary.outerBegin ? "the outer loop (loop " : "a hole (loop ") +

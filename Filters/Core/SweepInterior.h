@@ -69,7 +69,8 @@ struct SweepInterior
  * Tries the starts in order and stops at the first that is certified, by itself or after local
  * untangling (untangleHexes()); otherwise keeps the best: fewest hexahedra that are not Certified,
  * then the highest least scaled Jacobian. Then polishes (polishHexes()), which never lowers the
- * minimum nor loses a certificate. No step leaves a worse mesh than it was given.
+ * minimum nor loses a certificate, and is kept unless the mean falls. No step leaves a worse mesh
+ * than it was given.
  *
  * Hexahedra that caps and linking sides alone make bad (SweepInterior::fixed) do not keep the
  * cascade going.

@@ -67,10 +67,16 @@ TEST(HexPolishing, FindsTheCubesAgain)
 
 TEST(HexPolishing, SizeDoesNotMatterNorDoesTheOrderOfTheWork)
 {
-  const Block block = test::makeBlock(9);
+  const Block block = test::makeBlock(18);
   const Points start = test::shaken(block, 0.4, 4);
   const Points points = polishHexes(start, block.hexes, block.fixed, 3).points;
-  EXPECT_EQ(polishHexes(start, block.hexes, block.fixed, 3, backwards).points, points);
+  Index mostCalls = 0;
+  const auto counted = [&mostCalls](Index count, const std::function<void(Index)>& call) {
+    mostCalls = std::max(mostCalls, count);
+    backwards(count, call);
+  };
+  EXPECT_EQ(polishHexes(start, block.hexes, block.fixed, 3, counted).points, points);
+  EXPECT_GT(mostCalls, 1);
   for (const double scale : { 1.0 / 1048576.0, 1048576.0 })
   {
     const Points scaled = polishHexes(Points(scale * start), block.hexes, block.fixed, 3).points;

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LinkingSides.h"
+
+#include "BoundarySearch.h"
+#include "Describe.h"
+#include "DisjointSets.h"
+#include "Errors.h"
+#include "LayerSpacing.h"
+#include "LoopGeometry.h"
+#include "SurfaceTopology.h"
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Several loops of several surfaces, as one set of boundaries.
+struct Curves
+{
+  Points points{ 0, 3 };
+  std::vector<Loop> loops;
+
+  void add(const Points& polygon)
+  {
+    const Index first = this->points.rows();
+    this->points.conservativeResize(first + polygon.rows(), Eigen::NoChange);
+    this->points.bottomRows(polygon.rows()) = polygon;
+    Loop loop(at(polygon.rows()));
+    for (Index i = 0; i < polygon.rows(); ++i)
+    {
+      loop[at(i)] = first + i;
+    }
+    this->loops.push_back(std::move(loop));
+  }
+};
+
+/// The curve that most nodes of the polygon are nearest to.
+std::size_t nearestCurve(const BoundarySearch& search, std::size_t count, const Points& polygon)
+{
+  std::vector<Index> votes(count, 0);
+  for (Index i = 0; i < polygon.rows(); ++i)
+  {
+    ++votes[search.closest(polygon.row(i)).loop];
+  }
+  return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+}
+
+/// For each polygon the curve that it lies on; each curve is taken once at most.
+std::vector<std::size_t> pairUp(
+  const std::vector<Points>& polygons, const Curves& curves, std::size_t groupSize)
+{
+  const BoundarySearch search(curves.points, curves.loops);
+  std::vector<std::size_t> found;
+  std::vector<Index> taken(curves.loops.size() / groupSize, -1);
+  for (std::size_t l = 0; l < polygons.size(); ++l)
+  {
+    const std::size_t curve = nearestCurve(search, curves.loops.size(), polygons[l]);
+    Index& by = taken[curve / groupSize];
+    if (by >= 0)
+    {
+      throw InvalidInput("loops " + std::to_string(by) + " and " + std::to_string(l) +
+        " of the source quads (the one at " + describe(polygons[l].row(0)) +
+        ") both lie nearest to the same linking side. Check that the quads mesh the whole source "
+        "cap, with each of its holes.");
+    }
+    by = static_cast<Index>(l);
+    found.push_back(curve);
+  }
+  return found;
+}
+
+std::vector<Points> polygonsOf(const PointsRef& points, const std::vector<Loop>& loops)
+{
+  std::vector<Points> polygons;
+  for (const Loop& loop : loops)
+  {
+    polygons.push_back(loopPoints(points, loop));
+  }
+  return polygons;
+}
+
+void checkCounts(std::size_t loops, std::size_t sides)
+{
+  if (loops != sides)
+  {
+    throw InvalidInput("the source quads have " + std::to_string(loops) +
+      " boundary loops, but there are " + std::to_string(sides) +
+      " linking sides. Every loop of the source cap needs one side, and every side a loop: check "
+      "that the quads mesh the whole source cap and leave out each of its holes.");
+  }
+}
+
+/// The rows of a surface as a mesh of its own.
+LinkingSide partOf(const TriangleMesh& surface, const std::vector<Index>& faceIds,
+  const std::vector<Index>& rows, std::vector<Index>& newId)
+{
+  LinkingSide side;
+  std::vector<Index> used;
+  side.surface.triangles.resize(static_cast<Index>(rows.size()), 3);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    for (Index c = 0; c < 3; ++c)
+    {
+      const Index point = surface.triangles(rows[r], c);
+      if (newId[at(point)] < 0)
+      {
+        newId[at(point)] = static_cast<Index>(used.size());
+        used.push_back(point);
+      }
+      side.surface.triangles(static_cast<Index>(r), c) = newId[at(point)];
+    }
+    if (!faceIds.empty())
+    {
+      side.faceIds.push_back(faceIds[at(rows[r])]);
+    }
+  }
+  side.surface.points.resize(static_cast<Index>(used.size()), 3);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    side.surface.points.row(static_cast<Index>(i)) = surface.points.row(used[i]);
+    newId[at(used[i])] = -1;
+  }
+  return side;
+}
+}
+
+std::vector<LinkingSide> splitLinkingSides(const TriangleMesh& surface,
+  const std::vector<Index>& faceIds, const PointsRef& quadPoints,
+  const std::vector<Loop>& quadLoops)
+{
+  DisjointSets pieces(surface.points.rows());
+  for (Index t = 0; t < surface.triangles.rows(); ++t)
+  {
+    pieces.join(surface.triangles(t, 0), surface.triangles(t, 1));
+    pieces.join(surface.triangles(t, 0), surface.triangles(t, 2));
+  }
+  std::vector<std::vector<Index>> rows;
+  std::vector<Index> pieceAt(at(surface.points.rows()), -1);
+  for (Index t = 0; t < surface.triangles.rows(); ++t)
+  {
+    Index& piece = pieceAt[at(pieces.find(surface.triangles(t, 0)))];
+    if (piece < 0)
+    {
+      piece = static_cast<Index>(rows.size());
+      rows.emplace_back();
+    }
+    rows[at(piece)].push_back(t);
+  }
+  std::vector<LinkingSide> sides;
+  std::vector<std::vector<Loop>> loops;
+  Curves curves;
+  std::vector<Index> newId(at(surface.points.rows()), -1);
+  for (const std::vector<Index>& piece : rows)
+  {
+    sides.push_back(partOf(surface, faceIds, piece, newId));
+    TriangleMesh& mesh = sides.back().surface;
+    mesh.triangles = orientFaces(mesh.triangles, "linking surface");
+    const SurfaceTopology topology =
+      checkSurface(mesh.triangles, mesh.points.rows(), "linking surface");
+    if (topology.loops.size() != 2 || topology.eulerCharacteristic != 0)
+    {
+      throw InvalidInput("the piece of the linking surface at " + describe(mesh.points.row(0)) +
+        " is no tube between two loops: it has " + std::to_string(topology.loops.size()) +
+        " boundary loops and Euler characteristic " + std::to_string(topology.eulerCharacteristic) +
+        " (2 and 0 for a tube). Take only the faces that join a loop of the source cap to a loop "
+        "of the target cap, all of them, and merge points that coincide.");
+    }
+    loops.push_back(topology.loops);
+    curves.add(loopPoints(mesh.points, topology.loops[0]));
+    curves.add(loopPoints(mesh.points, topology.loops[1]));
+  }
+  checkCounts(quadLoops.size(), sides.size());
+  for (const std::size_t curve : pairUp(polygonsOf(quadPoints, quadLoops), curves, 2))
+  {
+    sides[curve / 2].sourceLoop = loops[curve / 2][curve % 2];
+  }
+  return sides;
+}
+
+LinkingSidesMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
+  const std::vector<LinkingSide>& sides, const LayerRequest& request, double matchTolerance,
+  const Progress& progress)
+{
+  checkCounts(quadLoops.size(), sides.size());
+  const std::vector<Points> rings = polygonsOf(quadPoints, quadLoops);
+  Curves curves;
+  for (const LinkingSide& side : sides)
+  {
+    curves.add(loopPoints(side.surface.points, side.sourceLoop));
+  }
+  const std::vector<std::size_t> sideOf = pairUp(rings, curves, 1);
+
+  LinkingSidesMesh result;
+  std::deque<LinkingSideColumns> columns;
+  Index meshedLayers = 0;
+  Index nodes = 0;
+  double length = 0.0;
+  for (std::size_t l = 0; l < rings.size(); ++l)
+  {
+    columns.emplace_back(sides[sideOf[l]], rings[l], matchTolerance);
+    const LinkingSideColumns& side = columns.back();
+    meshedLayers = std::max(meshedLayers, side.meshedLayers());
+    nodes += side.size();
+    length += static_cast<double>(side.size()) * side.meanLength();
+    result.keptEdges += side.keptEdges();
+    result.flipped += side.flipped();
+    result.lostEdges.insert(
+      result.lostEdges.end(), side.lostEdges().begin(), side.lostEdges().end());
+    result.lostCorners.insert(
+      result.lostCorners.end(), side.lostCorners().begin(), side.lostCorners().end());
+    reportProgress(progress, 0.8 * static_cast<double>(l + 1) / static_cast<double>(rings.size()));
+  }
+  result.meanColumnLength = length / static_cast<double>(nodes);
+  const Index layers = !(request.size > 0.0) ? request.layers
+    : meshedLayers > 0                       ? meshedLayers
+                                             : layersOfSize(result.meanColumnLength, request.size);
+  const std::vector<double> fractions = request.positions.empty()
+    ? layerFractions(layers, request.growth, request.bothEnds)
+    : layerFractions(request.positions);
+  result.layers = static_cast<Index>(fractions.size()) - 1;
+
+  result.mesh.points.resize((result.layers + 1) * nodes, 3);
+  result.mesh.quads.resize(result.layers * nodes, 4);
+  Index row = 0;
+  Index quad = 0;
+  for (std::size_t l = 0; l < rings.size(); ++l)
+  {
+    const LinkingSideMesh side = columns[l].mesh(fractions);
+    const Index n = columns[l].size();
+    result.mesh.points.middleRows(row, side.nodes.rows()) = side.nodes;
+    for (Index k = 0; k <= result.layers; ++k)
+    {
+      result.nodeRing.insert(result.nodeRing.end(), at(n), k);
+      result.sourcePoint.insert(result.sourcePoint.end(), quadLoops[l].begin(), quadLoops[l].end());
+    }
+    for (Index k = 0; k < result.layers; ++k)
+    {
+      result.quadLayer.insert(result.quadLayer.end(), at(n), k);
+      for (Index j = 0; j < n; ++j, ++quad)
+      {
+        const Index a = row + k * n + j;
+        const Index b = row + k * n + (j + 1) % n;
+        result.mesh.quads.row(quad) << a, b, b + n, a + n;
+      }
+    }
+    result.quadSide.insert(
+      result.quadSide.end(), side.quadTriangle.size(), static_cast<Index>(sideOf[l]));
+    result.quadTriangle.insert(
+      result.quadTriangle.end(), side.quadTriangle.begin(), side.quadTriangle.end());
+    row += side.nodes.rows();
+    reportProgress(
+      progress, 0.8 + 0.2 * static_cast<double>(l + 1) / static_cast<double>(rings.size()));
+  }
+  return result;
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief All linking sides of a sweep, meshed with structured quads (see LinkingSideMesh.h).
+ */
+#ifndef hexsweep_LinkingSides_h
+#define hexsweep_LinkingSides_h
+
+#include "LinkingSideMesh.h"
+
+namespace hexsweep
+{
+/// How many layers there are to be, and how thick.
+struct LayerRequest
+{
+  Index layers = 10;
+  double size = 0.0;             ///< wanted mean thickness; > 0: counts instead of `layers`
+  double growth = 1.0;           ///< see layerFractions()
+  bool bothEnds = false;         ///< see layerFractions()
+  std::vector<double> positions; ///< not empty: counts instead of all of these
+};
+
+struct LinkingSidesMesh
+{
+  /// Side after side (loop after loop of the quads), node k n + j of each is node k of column j;
+  /// quad k n + j is that between columns j and j + 1, rings k and k + 1.
+  QuadMesh mesh;
+  std::vector<Index> quadSide;     ///< row of the given sides
+  std::vector<Index> quadTriangle; ///< row of that side's triangles below the quad's middle
+  std::vector<Index> quadLayer;
+  std::vector<Index> nodeRing; ///< 0 ... layers
+  std::vector<Index>
+    sourcePoint; ///< of each node: the point of the quads that its column begins at
+  Index layers = 0;
+  double meanColumnLength = 0.0;
+  Index keptEdges = 0;                         ///< columns that are CAD edges
+  std::vector<Eigen::RowVector3d> lostEdges;   ///< see LinkingSideColumns
+  std::vector<Eigen::RowVector3d> lostCorners; ///< see LinkingSideColumns
+  Index flipped = 0;                           ///< see LinkingSideColumns
+};
+
+/**
+ * Splits a surface into its pieces, each of which is a linking side.
+ *
+ * @param faceIds one a triangle, or empty.
+ * @param quadPoints, quadLoops of the source quads: the boundary of a piece that is nearest to one
+ *        of them is its source loop.
+ * @throw InvalidInput naming the piece that is no tube, or when pieces and loops do not pair up.
+ */
+std::vector<LinkingSide> splitLinkingSides(const TriangleMesh& surface,
+  const std::vector<Index>& faceIds, const PointsRef& quadPoints,
+  const std::vector<Loop>& quadLoops);
+
+/**
+ * @param quadPoints, quadLoops boundary of the source quads, see checkSurface().
+ * @param sides one a loop, in any order.
+ * @param matchTolerance see LinkingSideColumns.
+ * @throw InvalidInput when sides and loops do not pair up, the layers asked for are none (see
+ *        LayerSpacing.h), or a side cannot be meshed; SolverFailure; Aborted.
+ */
+LinkingSidesMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
+  const std::vector<LinkingSide>& sides, const LayerRequest& request, double matchTolerance = 1e-6,
+  const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Parts of a linking side that are meshed already, as columns on the nodes of a ring.
+ *
+ * Volumes that share a face of their linking sides get the same nodes there when the second one is
+ * given the quads of the first.
+ */
+#ifndef hexsweep_SidePatches_h
+#define hexsweep_SidePatches_h
+
+#include "Mesh.h"
+
+namespace hexsweep
+{
+struct MeshedColumns
+{
+  Index layers = 0; ///< 0 where there are no patches
+  /// One a ring node: (layers + 1) x 3 nodes from source to target, or no rows where the column is
+  /// not part of a patch.
+  std::vector<Points> columns;
+};
+
+/**
+ * Walks over the quads of each patch from ring to ring.
+ *
+ * @param patches structured quads, any orientation; each begins at neighbouring nodes of the ring.
+ * @param ring    n x 3, the nodes of the source loop in order.
+ * @param matchTolerance relative to the shorter ring edge at a node.
+ * @throw InvalidInput, with the place, when a patch has no edge on the ring, is not structured, has
+ *        quads left over, or patches have different numbers of layers.
+ */
+MeshedColumns tracePatches(
+  const std::vector<QuadMesh>& patches, const PointsRef& ring, double matchTolerance);
+}
+
+#endif

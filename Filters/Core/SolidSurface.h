@@ -50,6 +50,7 @@ struct SolidSurface
   Index collapsedTriangles = 0;    ///< triangles with two corners in one point, left out
   Index turnedTriangles = 0;       ///< triangles that were turned over
   bool facesByAngle = false;       ///< whether faceIds are those of facesByFeatureAngle()
+  double featureAngle = Pi / 6.0;  ///< radians, as asked for
 };
 
 /**

@@ -51,15 +51,14 @@ SweepTopology findSweepTopology(const SolidSurface& solid, const std::vector<Ind
 
 /**
  * The faces that can be the target cap of a source cap: one face, or, where none fits, several that
- * meet each other more smoothly than the feature angle.
+ * meet each other more smoothly than the solid's feature angle.
  *
- * @param featureAngle radians, see SolidOptions.
  * @return rising ids.
  * @throw InvalidInput when several caps fit (it names them all) or none does (it says what is wrong
  *        with the likeliest one), and what findSweepTopology() says of the source cap.
  */
-std::vector<Index> findTargetFaces(const SolidSurface& solid,
-  const std::vector<Index>& sourceFaceIds, double featureAngle = Pi / 6.0);
+std::vector<Index> findTargetFaces(
+  const SolidSurface& solid, const std::vector<Index>& sourceFaceIds);
 }
 
 #endif

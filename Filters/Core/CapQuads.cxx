@@ -26,7 +26,7 @@ namespace
 constexpr double MaximumQuads = 50e6;
 /// Edges of the triangles over those of the quads: pairs of equilateral triangles, cut in four,
 /// are as large as squares of the wanted size.
-constexpr double TriangleSize = 2.15;
+constexpr double TriangleSize = 2.32;
 constexpr double Growth = 0.4;
 /// Nodes go to a point of a curve this near, relative to the edges beside them.
 constexpr double SnapDistance = 1e-3;
@@ -276,9 +276,9 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   const CapCorners corners(result.mesh.quads, fixed, cap, {}, points);
   const ImprovedQuads untangled =
     untangleQuads(corners, points, points, progressPart(progress, 0.5, 0.75));
-  const ImprovedQuads polished =
-    polishQuads(corners, untangled.points, untangled.points, progressPart(progress, 0.75, 1.0));
-  result.mesh.points = polished.points;
+  result.mesh.points =
+    polishQuads(corners, untangled.points, untangled.points, progressPart(progress, 0.75, 1.0))
+      .points;
 
   const TriangleSearch search(cap.points, cap.triangles);
   Index last = -1;

@@ -473,33 +473,56 @@ TriangleRemesher::Result TriangleRemesher::result() const
   const Mesh& mesh = this->Triangulation;
   Result result;
   result.pointOf.assign(this->Before.size(), -1);
+  // Breadth first, so that what is near in the mesh is near in memory.
   std::vector<Index> number(mesh.n_vertices(), -1);
-  Index count = 0;
-  result.mesh.points.resize(static_cast<Index>(mesh.n_vertices()), 3);
-  for (const auto v : mesh.vertices())
+  std::vector<OpenMesh::SmartVertexHandle> order;
+  for (const auto start : mesh.vertices())
   {
-    if (!mesh.is_isolated(v))
+    if (mesh.is_isolated(start) || number[static_cast<std::size_t>(start.idx())] >= 0)
     {
-      number[static_cast<std::size_t>(v.idx())] = count;
-      result.mesh.points.row(count) = this->position(v);
-      if (this->data(v).label >= 0)
+      continue;
+    }
+    number[static_cast<std::size_t>(start.idx())] = static_cast<Index>(order.size());
+    order.push_back(start);
+    for (std::size_t next = order.size() - 1; next < order.size(); ++next)
+    {
+      const auto here = order[next];
+      for (const auto v : here.vertices())
       {
-        result.pointOf[static_cast<std::size_t>(this->data(v).label)] = count;
+        if (number[static_cast<std::size_t>(v.idx())] < 0)
+        {
+          number[static_cast<std::size_t>(v.idx())] = static_cast<Index>(order.size());
+          order.push_back(v);
+        }
       }
-      ++count;
     }
   }
-  result.mesh.points.conservativeResize(count, 3);
-  Index t = 0;
+  result.mesh.points.resize(static_cast<Index>(order.size()), 3);
   result.mesh.triangles.resize(static_cast<Index>(mesh.n_faces()), 3);
-  for (const auto f : mesh.faces())
+  std::vector<bool> taken(mesh.n_faces(), false);
+  Index t = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
   {
-    Index c = 0;
-    for (const auto v : f.vertices())
+    result.mesh.points.row(static_cast<Index>(i)) = this->position(order[i]);
+    const Index label = this->data(order[i]).label;
+    if (label >= 0)
     {
-      result.mesh.triangles(t, c++) = number[static_cast<std::size_t>(v.idx())];
+      result.pointOf[static_cast<std::size_t>(label)] = static_cast<Index>(i);
     }
-    ++t;
+    for (const auto f : order[i].faces())
+    {
+      if (taken[static_cast<std::size_t>(f.idx())])
+      {
+        continue;
+      }
+      taken[static_cast<std::size_t>(f.idx())] = true;
+      Index c = 0;
+      for (const auto v : f.vertices())
+      {
+        result.mesh.triangles(t, c++) = number[static_cast<std::size_t>(v.idx())];
+      }
+      ++t;
+    }
   }
   result.mesh.triangles.conservativeResize(t, 3);
   return result;

@@ -41,7 +41,7 @@ public:
    * @param matchTolerance relative to the shorter edge of the source loop at a point: a ring node
    *              within it is that point.
    * @throw InvalidInput when the side is no tube, the ring runs in another order than the loop, or
-   *        a patch does not fit (see tracePatches()); SolverFailure.
+   *        patches have different numbers of layers; SolverFailure.
    */
   LinkingSideColumns(const LinkingSide& side, const PointsRef& ring, double matchTolerance = 1e-6);
   LinkingSideColumns(const LinkingSideColumns&) = delete;
@@ -49,6 +49,8 @@ public:
 
   /// Layers of the parts that are meshed already; 0 where there are none.
   Index meshedLayers() const { return this->Meshed.layers; }
+  /// Why parts that are meshed already lose their nodes.
+  const std::vector<std::string>& refusedPatches() const { return this->Meshed.refused; }
 
   Index size() const { return static_cast<Index>(this->Source.size()); }
 

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace hexsweep
@@ -98,6 +100,52 @@ void checkCounts(std::size_t loops, std::size_t sides)
   }
 }
 
+/// Quads of the faces that have no other cells among these rows of the surface.
+std::vector<QuadMesh> patchesOf(const LinkingSurface& surface, const std::vector<Index>& rows)
+{
+  std::map<Index, std::vector<Index>> quadsOfFace;
+  std::set<Index> mixed;
+  for (const Index row : surface.quadOfTriangle.empty() ? std::vector<Index>{} : rows)
+  {
+    const Index face = surface.faceIds.empty() ? 0 : surface.faceIds[at(row)];
+    const Index quad = surface.quadOfTriangle[at(row)];
+    quadsOfFace[face].push_back(quad);
+    if (quad < 0)
+    {
+      mixed.insert(face);
+    }
+  }
+  std::vector<QuadMesh> patches;
+  for (auto& [face, quads] : quadsOfFace)
+  {
+    if (mixed.count(face) > 0)
+    {
+      continue;
+    }
+    std::sort(quads.begin(), quads.end());
+    quads.erase(std::unique(quads.begin(), quads.end()), quads.end());
+    std::map<Index, Index> newId;
+    QuadMesh patch;
+    patch.quads.resize(static_cast<Index>(quads.size()), 4);
+    for (std::size_t q = 0; q < quads.size(); ++q)
+    {
+      for (Index c = 0; c < 4; ++c)
+      {
+        const auto [known, isNew] =
+          newId.emplace(surface.quads(quads[q], c), static_cast<Index>(newId.size()));
+        patch.quads(static_cast<Index>(q), c) = known->second;
+      }
+    }
+    patch.points.resize(static_cast<Index>(newId.size()), 3);
+    for (const auto& [old, id] : newId)
+    {
+      patch.points.row(id) = surface.mesh.points.row(old);
+    }
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
 /// The rows of a surface as a mesh of its own.
 LinkingSide partOf(const TriangleMesh& surface, const std::vector<Index>& faceIds,
   const std::vector<Index>& rows, std::vector<Index>& newId)
@@ -132,10 +180,10 @@ LinkingSide partOf(const TriangleMesh& surface, const std::vector<Index>& faceId
 }
 }
 
-std::vector<LinkingSide> splitLinkingSides(const TriangleMesh& surface,
-  const std::vector<Index>& faceIds, const PointsRef& quadPoints,
-  const std::vector<Loop>& quadLoops)
+std::vector<LinkingSide> splitLinkingSides(
+  const LinkingSurface& given, const PointsRef& quadPoints, const std::vector<Loop>& quadLoops)
 {
+  const TriangleMesh& surface = given.mesh;
   DisjointSets pieces(surface.points.rows());
   for (Index t = 0; t < surface.triangles.rows(); ++t)
   {
@@ -160,7 +208,8 @@ std::vector<LinkingSide> splitLinkingSides(const TriangleMesh& surface,
   std::vector<Index> newId(at(surface.points.rows()), -1);
   for (const std::vector<Index>& piece : rows)
   {
-    sides.push_back(partOf(surface, faceIds, piece, newId));
+    sides.push_back(partOf(surface, given.faceIds, piece, newId));
+    sides.back().patches = patchesOf(given, piece);
     TriangleMesh& mesh = sides.back().surface;
     mesh.triangles = orientFaces(mesh.triangles, "linking surface");
     const SurfaceTopology topology =
@@ -216,6 +265,8 @@ LinkingSidesMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector
       result.lostEdges.end(), side.lostEdges().begin(), side.lostEdges().end());
     result.lostCorners.insert(
       result.lostCorners.end(), side.lostCorners().begin(), side.lostCorners().end());
+    result.refusedPatches.insert(
+      result.refusedPatches.end(), side.refusedPatches().begin(), side.refusedPatches().end());
     reportProgress(progress, 0.8 * static_cast<double>(l + 1) / static_cast<double>(rings.size()));
   }
   result.meanColumnLength = length / static_cast<double>(nodes);

@@ -36,20 +36,30 @@ struct LinkingSidesMesh
   Index keptEdges = 0;                         ///< columns that are CAD edges
   std::vector<Eigen::RowVector3d> lostEdges;   ///< see LinkingSideColumns
   std::vector<Eigen::RowVector3d> lostCorners; ///< see LinkingSideColumns
+  std::vector<std::string> refusedPatches;     ///< see LinkingSideColumns
   Index flipped = 0;                           ///< see LinkingSideColumns
 };
 
+/// The surface of all linking sides, as it is given.
+struct LinkingSurface
+{
+  TriangleMesh mesh;          ///< any orientation
+  std::vector<Index> faceIds; ///< one a triangle, or empty
+  Quads quads{ 0, 4 };        ///< cells that were quads before they were cut into triangles
+  /// Row of `quads` that each triangle is half of, -1: none; or empty.
+  std::vector<Index> quadOfTriangle;
+};
+
 /**
- * Splits a surface into its pieces, each of which is a linking side.
+ * Splits a surface into its pieces, each of which is a linking side. Faces that consist of quads
+ * alone become patches (see LinkingSide).
  *
- * @param faceIds one a triangle, or empty.
  * @param quadPoints, quadLoops of the source quads: the boundary of a piece that is nearest to one
  *        of them is its source loop.
  * @throw InvalidInput naming the piece that is no tube, or when pieces and loops do not pair up.
  */
-std::vector<LinkingSide> splitLinkingSides(const TriangleMesh& surface,
-  const std::vector<Index>& faceIds, const PointsRef& quadPoints,
-  const std::vector<Loop>& quadLoops);
+std::vector<LinkingSide> splitLinkingSides(
+  const LinkingSurface& surface, const PointsRef& quadPoints, const std::vector<Loop>& quadLoops);
 
 /**
  * @param quadPoints, quadLoops boundary of the source quads, see checkSurface().

@@ -81,14 +81,14 @@ QuadQuality quadQuality(const PointsRef& points, const QuadsRef& quads, const Po
   return quality;
 }
 
-FixedCorners fixedCorners(const PointsRef& points, const QuadsRef& quads, const PointsRef& normals,
-  const std::vector<bool>& fixed)
+FixedQuadCorners fixedQuadCorners(const PointsRef& points, const QuadsRef& quads,
+  const PointsRef& normals, const std::vector<bool>& fixed)
 {
   const CornerMeasure measure(points, quads, normals);
   const auto isFixed = [&](Index q, Index c) {
     return fixed[static_cast<std::size_t>(quads(q, c % 4))];
   };
-  FixedCorners result;
+  FixedQuadCorners result;
   for (Index q = 0; q < quads.rows(); ++q)
   {
     FixedCorner worst{ q, 0, 1.0 };

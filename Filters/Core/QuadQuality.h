@@ -31,7 +31,7 @@ struct FixedCorner
 };
 
 /// What the fixed nodes decide about the quads, wherever the other nodes are.
-struct FixedCorners
+struct FixedQuadCorners
 {
   /// Least scaled Jacobian of these corners (-1 where an edge has no length), 1 if there are none:
   /// an upper bound of QuadQuality::minimum for any place of the other nodes.
@@ -57,8 +57,8 @@ QuadQuality quadQuality(const PointsRef& points, const QuadsRef& quads, const Po
  *
  * @param fixed n entries: nodes that stay.
  */
-FixedCorners fixedCorners(const PointsRef& points, const QuadsRef& quads, const PointsRef& normals,
-  const std::vector<bool>& fixed);
+FixedQuadCorners fixedQuadCorners(const PointsRef& points, const QuadsRef& quads,
+  const PointsRef& normals, const std::vector<bool>& fixed);
 }
 
 #endif

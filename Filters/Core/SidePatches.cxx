@@ -106,10 +106,10 @@ private:
 
 [[noreturn]] void refuse(const QuadMesh& patch, const std::string& why)
 {
-  throw InvalidInput("the quads on a linking side (" + std::to_string(patch.quads.rows()) +
+  throw InvalidInput("quads on a linking side (" + std::to_string(patch.quads.rows()) +
     ", the first at " + describe(patch.points.row(patch.quads(0, 0))) + ") " + why +
-    " Mesh that face with structured quads that begin at nodes of the source quads and lead to "
-    "the target cap, or give it as triangles.");
+    " Their nodes are not kept. To keep them, mesh that face with structured quads that begin at "
+    "nodes of the source quads and lead to the target cap.");
 }
 
 /// The columns of one patch: patch points by ring node and layer.
@@ -176,14 +176,24 @@ MeshedColumns tracePatches(
   result.columns.resize(at(ring.rows()));
   for (const QuadMesh& patch : patches)
   {
-    for (const auto& [j, column] : traceOne(patch, ring, matchTolerance))
+    std::map<Index, std::vector<Index>> columns;
+    try
+    {
+      columns = traceOne(patch, ring, matchTolerance);
+    }
+    catch (const InvalidInput& error)
+    {
+      result.refused.emplace_back(error.what());
+      continue;
+    }
+    for (const auto& [j, column] : columns)
     {
       const Index layers = static_cast<Index>(column.size()) - 1;
       if (result.layers != 0 && result.layers != layers)
       {
-        refuse(patch,
-          "have " + std::to_string(layers) + " layers, those beside them " +
-            std::to_string(result.layers) + ".");
+        throw InvalidInput("two parts of a linking side are meshed already, with " +
+          std::to_string(result.layers) + " and with " + std::to_string(layers) +
+          " layers. Mesh them with the same number of layers, or give one of them as triangles.");
       }
       result.layers = layers;
       Points nodes(layers + 1, 3);

@@ -11,6 +11,8 @@
 
 #include "Mesh.h"
 
+#include <string>
+
 namespace hexsweep
 {
 struct MeshedColumns
@@ -19,6 +21,8 @@ struct MeshedColumns
   /// One a ring node: (layers + 1) x 3 nodes from source to target, or no rows where the column is
   /// not part of a patch.
   std::vector<Points> columns;
+  /// Why patches could not be used: what to tell the user.
+  std::vector<std::string> refused;
 };
 
 /**
@@ -27,8 +31,9 @@ struct MeshedColumns
  * @param patches structured quads, any orientation; each begins at neighbouring nodes of the ring.
  * @param ring    n x 3, the nodes of the source loop in order.
  * @param matchTolerance relative to the shorter ring edge at a node.
- * @throw InvalidInput, with the place, when a patch has no edge on the ring, is not structured, has
- *        quads left over, or patches have different numbers of layers.
+ * A patch that has no edge on the ring, is not structured or has quads left over is refused.
+ *
+ * @throw InvalidInput when patches have different numbers of layers.
  */
 MeshedColumns tracePatches(
   const std::vector<QuadMesh>& patches, const PointsRef& ring, double matchTolerance);

@@ -188,7 +188,7 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
     }
     const Points normals = surface.project(result.quads.points).normals;
     result.quality = quadQuality(result.quads.points, input.source.quads, normals);
-    result.fixedCorners = fixedCorners(result.quads.points, input.source.quads, normals, fixed);
+    result.fixedCorners = fixedQuadCorners(result.quads.points, input.source.quads, normals, fixed);
   };
   judge();
   result.invertedBefore = result.quality.inverted;

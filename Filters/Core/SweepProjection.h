@@ -49,7 +49,7 @@ struct SweepProjection
 {
   ProjectedQuads quads;
   QuadQuality quality;       ///< of the quads on the target surface
-  FixedCorners fixedCorners; ///< of those quads: what their boundary nodes alone decide
+  FixedQuadCorners fixedCorners; ///< of those quads: what their boundary nodes alone decide
   Index invertedBefore = 0;  ///< quads that the projection itself inverted
   int rounds = 0;            ///< descents of untangling and polishing
   /// The maps that were used; empty for AffineLeastSquares.

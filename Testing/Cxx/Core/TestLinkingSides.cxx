@@ -414,7 +414,9 @@ TEST(LinkingSides, MeshedPartsKeepTheirNodes)
   EXPECT_THROW(mesh(side, ring, layers(7)), InvalidInput);
   side.patches = { partOf(other, 20, 5, 10) };
   side.patches[0].quads.conservativeResize(side.patches[0].quads.rows() - 2, Eigen::NoChange);
-  EXPECT_THROW(mesh(side, ring, layers(8)), InvalidInput);
+  const LinkingSidesMesh torn = mesh(side, ring, layers(8));
+  ASSERT_EQ(torn.refusedPatches.size(), 1u);
+  EXPECT_NE(torn.refusedPatches[0].find("not structured"), std::string::npos);
 }
 
 TEST(LinkingSides, SplitsASurfaceAndFindsTheSource)
@@ -424,7 +426,8 @@ TEST(LinkingSides, SplitsASurfaceAndFindsTheSource)
   };
   const LinkingSide outside = tube(24, 6, Cylinder);
   const LinkingSide inside = tube(12, 6, inner); // runs from the target to the source
-  hexsweep::TriangleMesh both;
+  hexsweep::LinkingSurface surface;
+  hexsweep::TriangleMesh& both = surface.mesh;
   both.points.resize(outside.surface.points.rows() + inside.surface.points.rows(), 3);
   both.points << outside.surface.points, inside.surface.points;
   both.triangles.resize(outside.surface.triangles.rows() + inside.surface.triangles.rows(), 3);
@@ -439,7 +442,7 @@ TEST(LinkingSides, SplitsASurfaceAndFindsTheSource)
     i += 12;
   }
   const std::vector<Loop> loops = { numbers(12), outer };
-  const auto sides = hexsweep::splitLinkingSides(both, {}, rings, loops);
+  const auto sides = hexsweep::splitLinkingSides(surface, rings, loops);
   ASSERT_EQ(sides.size(), 2u);
   const LinkingSidesMesh result = hexsweep::meshLinkingSides(rings, loops, sides, layers(3));
   EXPECT_EQ(Points(result.mesh.points.topRows(12)), hole);
@@ -448,7 +451,7 @@ TEST(LinkingSides, SplitsASurfaceAndFindsTheSource)
     EXPECT_NEAR(result.mesh.points(i, 2),
       static_cast<double>(result.nodeRing[static_cast<std::size_t>(i)]), 0.01);
   }
-  EXPECT_THROW(hexsweep::splitLinkingSides(both, {}, rings, { loops[0] }), InvalidInput);
+  EXPECT_THROW(hexsweep::splitLinkingSides(surface, rings, { loops[0] }), InvalidInput);
 }
 
 TEST(LinkingSides, RefusesWhatIsNoTube)

@@ -257,7 +257,8 @@ TEST(QuadUntangling, FixedCornersSetTheFloor)
   const CapModel cap = dentedModel(cells, 1.2);
   const SurfaceProjection surface(cap.surface);
   const Points normals = surface.project(cap.quads.points).normals;
-  const FixedCorners fixed = fixedCorners(cap.quads.points, cap.quads.quads, normals, cap.fixed);
+  const FixedQuadCorners fixed =
+    fixedQuadCorners(cap.quads.points, cap.quads.quads, normals, cap.fixed);
   EXPECT_LT(fixed.floor, -0.05);
   EXPECT_NEAR(fixed.floor, sineAtDent(cells), 1e-12);
   std::vector<Index> quads;

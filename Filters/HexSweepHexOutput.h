@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief From a cage to the grid of hexahedra that filters put out. Private to the module.
+ */
+#ifndef HexSweepHexOutput_h
+#define HexSweepHexOutput_h
+
+#include "Core/HexQuality.h"
+#include "Core/SweepInterior.h"
+#include "HexSweepInteriorReport.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataSet;
+class vtkUnstructuredGrid;
+
+namespace hexsweep
+{
+struct HexOutputSettings
+{
+  int method = 0; ///< a vtkCageHexInterior::MethodType
+  bool ensureValid = true;
+  bool improveQuality = true;
+  bool certify = true;
+  bool failIfInvalid = false;
+  int precision = 0; ///< a vtkAlgorithm::DesiredOutputPrecision
+};
+
+/// Where source attributes come from.
+struct SourceAttributes
+{
+  vtkDataSet* data = nullptr;  ///< carried to every layer; nullptr: there are none
+  std::vector<Index> pointIds; ///< of `data`, one a source point of the cage
+  std::vector<Index> cellIds;  ///< of `data`, one a source quad of the cage
+};
+
+struct HexOutput
+{
+  SweepInterior interior; ///< its points are moved into the grid
+  HexQualitySummary summary;
+  Index layers = 0;
+  bool sourceIsBottom = true;
+  std::vector<std::string> warnings; ///< what to tell the user
+};
+
+/**
+ * Fills a cage and writes points, hexahedra, their attributes, quality and report.
+ *
+ * @param stages is told of every stage but the last one, the output.
+ * @throw InvalidInput for a method that does not exist, and for bad hexahedra with failIfInvalid.
+ */
+HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
+  const HexOutputSettings& settings, StageClock& stages, const Progress& progress,
+  vtkUnstructuredGrid* output);
+}
+
+#endif

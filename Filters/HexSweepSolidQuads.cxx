@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepSolidQuads.h"
+
+#include "Core/CapQuads.h"
+#include "Core/Errors.h"
+#include "HexSweepBridge.h"
+
+#include <vtkDataSet.h>
+
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace hexsweep
+{
+namespace
+{
+std::vector<Index> upTo(Index n)
+{
+  std::vector<Index> ids(static_cast<std::size_t>(n));
+  std::iota(ids.begin(), ids.end(), Index{ 0 });
+  return ids;
+}
+
+SourceQuads newQuads(
+  const SolidSurface& solid, const SweepTopology& topology, double size, const Progress& progress)
+{
+  if (!(size >= 0.0) || !std::isfinite(size))
+  {
+    throw InvalidInput("the quad size is not a length. Set QuadSize to a positive length, or to 0 "
+                       "for a size that fits the source cap.");
+  }
+  TriangleMesh cap;
+  std::vector<Index> newId(static_cast<std::size_t>(solid.points.rows()), -1);
+  std::vector<Index> used;
+  std::vector<Index> faceIds;
+  cap.triangles.resize(static_cast<Index>(topology.sourceTriangles.size()), 3);
+  for (Index t = 0; t < cap.triangles.rows(); ++t)
+  {
+    const Index row = topology.sourceTriangles[static_cast<std::size_t>(t)];
+    for (Index c = 0; c < 3; ++c)
+    {
+      Index& id = newId[static_cast<std::size_t>(solid.triangles(row, c))];
+      if (id < 0)
+      {
+        id = static_cast<Index>(used.size());
+        used.push_back(solid.triangles(row, c));
+      }
+      cap.triangles(t, c) = id;
+    }
+    faceIds.push_back(solid.faceIds[static_cast<std::size_t>(row)]);
+  }
+  cap.points.resize(static_cast<Index>(used.size()), 3);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    cap.points.row(static_cast<Index>(i)) = solid.points.row(used[i]);
+  }
+  CapQuadOptions options;
+  options.size = size > 0.0 ? size : defaultQuadSize(cap);
+  for (const Index point : edgeStarts(solid, topology))
+  {
+    options.keep.push_back(newId[static_cast<std::size_t>(point)]);
+  }
+  SourceQuads result;
+  result.mesh = meshCapWithQuads(cap, faceIds, options, progress).mesh;
+  result.attributes.pointIds = upTo(result.mesh.points.rows());
+  result.attributes.cellIds = upTo(result.mesh.quads.rows());
+  result.origin = "made";
+  return result;
+}
+}
+
+std::vector<Index> edgeStarts(const SolidSurface& solid, const SweepTopology& topology)
+{
+  std::vector<Index> starts;
+  for (const SweepSide& side : topology.sides)
+  {
+    // The side's triangle behind each edge of the loop, which runs the cap's way.
+    std::map<std::pair<Index, Index>, Index> faceAt;
+    for (const Index row : side.triangles)
+    {
+      for (Index c = 0; c < 3; ++c)
+      {
+        faceAt[{ solid.triangles(row, (c + 1) % 3), solid.triangles(row, c) }] =
+          solid.faceIds[static_cast<std::size_t>(row)];
+      }
+    }
+    const std::size_t n = side.sourceLoop.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Index before = side.sourceLoop[(i + n - 1) % n];
+      const Index here = side.sourceLoop[i];
+      const Index after = side.sourceLoop[(i + 1) % n];
+      if (faceAt.at({ before, here }) != faceAt.at({ here, after }))
+      {
+        starts.push_back(here);
+      }
+    }
+  }
+  return starts;
+}
+
+SourceQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidData& data,
+  const SolidSurface& solid, const SweepTopology& topology, double size, const Progress& progress)
+{
+  SourceQuads result;
+  if (given)
+  {
+    SurfaceInput quads = readQuads(given, "source quads");
+    result.mesh = { std::move(quads.points), Quads(quads.faces) };
+    result.attributes = { given, upTo(given->GetNumberOfPoints()), std::move(quads.cellIds) };
+    result.origin = "SourceQuads";
+    return result;
+  }
+  if (std::optional<FaceQuads> quads = quadsOfFaces(data, solid, topology.sourceFaceIds))
+  {
+    result.mesh = std::move(quads->mesh);
+    result.attributes = { solidData, std::move(quads->pointIds), std::move(quads->cellIds) };
+    result.origin = "Solid";
+    return result;
+  }
+  return newQuads(solid, topology, size, progress);
+}
+
+std::vector<std::vector<QuadMesh>> sidePatches(
+  const SolidData& data, const SolidSurface& solid, const SweepTopology& topology)
+{
+  std::vector<std::vector<QuadMesh>> patches(topology.sides.size());
+  if (data.quads.rows() == 0)
+  {
+    return patches;
+  }
+  for (std::size_t s = 0; s < topology.sides.size(); ++s)
+  {
+    for (const Index id : topology.sides[s].faceIds)
+    {
+      if (std::optional<FaceQuads> quads = quadsOfFaces(data, solid, { id }))
+      {
+        patches[s].push_back(std::move(quads->mesh));
+      }
+    }
+  }
+  return patches;
+}
+}

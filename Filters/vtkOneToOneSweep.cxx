@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOneToOneSweep.h"
+
+#include "Core/Constants.h"
+#include "Core/SolidCage.h"
+#include "HexSweepBoundaryGrid.h"
+#include "HexSweepBridge.h"
+#include "HexSweepLinkingReport.h"
+#include "HexSweepSolidQuads.h"
+
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <string>
+#include <utility>
+
+vtkStandardNewMacro(vtkOneToOneSweep);
+
+namespace
+{
+using namespace hexsweep;
+
+void addIds(vtkFieldData* fieldData, const char* name, const std::vector<Index>& ids)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  for (const Index id : ids)
+  {
+    array->InsertNextValue(id);
+  }
+  fieldData->AddArray(array);
+}
+
+std::vector<InteriorStep> stagesOf(const SolidCage& cage)
+{
+  std::vector<InteriorStep> stages;
+  for (const auto& [name, seconds] : cage.seconds)
+  {
+    stages.push_back({ name, 0, 0, seconds });
+  }
+  return stages;
+}
+
+void addReports(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology,
+  const std::string& quadsFrom, vtkFieldData* fieldData)
+{
+  addReport(fieldData, "SweepReportSourceQuads", quadsFrom);
+  addIds(fieldData, "SweepReportSourceFaceIds", topology.sourceFaceIds);
+  addIds(fieldData, "SweepReportTargetFaceIds", topology.targetFaceIds);
+  addReport(fieldData, "SweepReportMergedPoints", solid.mergedPoints);
+  addLinkingReport(fieldData, cage.linking);
+  addReport(fieldData, "SweepReportInvertedQuads", cage.projection.quality.inverted);
+  addReport(fieldData, "SweepReportMaximumSourceDistance", cage.greatestDistance);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkOneToOneSweep::vtkOneToOneSweep()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkOneToOneSweep::FillInputPortInformation(int port, vtkInformation* info)
+{
+  // Composite data come here too, to be refused in words instead of block by block.
+  acceptSurfaces(info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::AddSourceFaceId(vtkIdType id)
+{
+  this->SourceFaceIds.push_back(id);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::RemoveAllSourceFaceIds()
+{
+  if (!this->SourceFaceIds.empty())
+  {
+    this->SourceFaceIds.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkOneToOneSweep::GetSourceFaceId(int i) const
+{
+  return this->SourceFaceIds.at(static_cast<std::size_t>(i));
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::AddTargetFaceId(vtkIdType id)
+{
+  this->TargetFaceIds.push_back(id);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::RemoveAllTargetFaceIds()
+{
+  if (!this->TargetFaceIds.empty())
+  {
+    this->TargetFaceIds.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkOneToOneSweep::GetTargetFaceId(int i) const
+{
+  return this->TargetFaceIds.at(static_cast<std::size_t>(i));
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::AddLayerPosition(double position)
+{
+  this->LayerPositions.push_back(position);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::RemoveAllLayerPositions()
+{
+  if (!this->LayerPositions.empty())
+  {
+    this->LayerPositions.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkOneToOneSweep::GetLayerPosition(int i) const
+{
+  return this->LayerPositions.at(static_cast<std::size_t>(i));
+}
+
+//------------------------------------------------------------------------------
+int vtkOneToOneSweep::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return runFilter(this, outputs, [&] { this->Execute(inputs, outputs); });
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  for (const int port : { 0, 1 })
+  {
+    if (vtkCompositeDataSet::GetData(inputs[port], 0))
+    {
+      throw InvalidInput(std::string("the ") + (port == 0 ? "solid" : "source quads") +
+        " come as a composite data set. Sweep one volume at a time: extract its block (in "
+        "ParaView: Extract Block, then Merge Blocks).");
+    }
+  }
+  if (isIdleRank(outputs, inputs, { "solid", "source quads" }))
+  {
+    return;
+  }
+  StageClock clock;
+  vtkDataSet* solidData = inputDataSet(inputs, 0);
+  vtkInformation* array = this->GetInputArrayInformation(0);
+  const char* arrayName = array->Get(vtkDataObject::FIELD_NAME());
+  const SolidData data = readSolid(solidData, arrayName ? arrayName : "");
+  clock.finish("Read");
+  reportProgress(pipelineProgress(this), 0.02);
+
+  SolidOptions options;
+  options.matchTolerance = this->MatchTolerance;
+  options.featureAngle = this->FeatureAngle * Pi / 180.0;
+  const SolidSurface solid = makeSolidSurface(data, options);
+  const SweepTopology topology =
+    findSweepTopology(solid, { this->SourceFaceIds.begin(), this->SourceFaceIds.end() },
+      { this->TargetFaceIds.begin(), this->TargetFaceIds.end() });
+  clock.finish("Topology");
+  reportProgress(pipelineProgress(this), 0.05);
+
+  SourceQuads quads = sourceQuads(inputDataSet(inputs, 1), solidData, data, solid, topology,
+    this->QuadSize, pipelineProgress(this, 0.05, 0.15));
+  clock.finish("Source quads");
+  SolidCageInput cageInput{ solid, topology, std::move(quads.mesh),
+    sidePatches(data, solid, topology), {}, this->MatchTolerance,
+    this->OutputPointsPrecision == SINGLE_PRECISION, this->EnsureValid };
+  cageInput.layers.layers = this->NumberOfLayers;
+  cageInput.layers.size = this->LayerSize;
+  cageInput.layers.growth = this->GrowthRatio;
+  cageInput.layers.bothEnds = this->GrowFromBothEnds;
+  cageInput.layers.positions = this->LayerPositions;
+  const SolidCage cage = makeSolidCage(cageInput, pipelineProgress(this, 0.15, 0.5));
+  clock.finish(stagesOf(cage));
+
+  HexOutputSettings settings;
+  settings.method = this->Method;
+  settings.ensureValid = this->EnsureValid;
+  settings.improveQuality = this->ImproveQuality;
+  settings.certify = this->Certify;
+  settings.failIfInvalid = this->FailIfInvalid;
+  settings.precision = this->OutputPointsPrecision;
+  auto* output = vtkUnstructuredGrid::GetData(outputs, 0);
+  auto* boundary = vtkUnstructuredGrid::GetData(outputs, 1);
+  const HexOutput hexes =
+    writeHexes(cage, quads.attributes, settings, clock, pipelineProgress(this, 0.5, 0.97), output);
+  writeBoundary(cage, solid, topology, hexes.sourceIsBottom, output, boundary);
+
+  for (vtkUnstructuredGrid* grid : { output, boundary })
+  {
+    vtkNew<vtkFieldData> own;
+    own->PassData(grid->GetFieldData());
+    grid->GetFieldData()->PassData(solidData->GetFieldData());
+    grid->GetFieldData()->PassData(own);
+  }
+  addReports(cage, solid, topology, quads.origin, output->GetFieldData());
+  clock.finish("Output");
+  clock.report(output->GetFieldData());
+
+  std::vector<std::string> warnings = linkingWarnings(cage.linking);
+  warnings.push_back(
+    describeMismatch(cage.mismatch, "source cap of the solid", "boundary of the source quads"));
+  warnings.insert(warnings.end(), hexes.warnings.begin(), hexes.warnings.end());
+  for (const std::string& warning : warnings)
+  {
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto list = [&](const char* name, const auto& values) {
+    os << indent << name << ":";
+    for (const auto& value : values)
+    {
+      os << " " << value;
+    }
+    os << "\n";
+  };
+  list("SourceFaceIds", this->SourceFaceIds);
+  list("TargetFaceIds", this->TargetFaceIds);
+  list("LayerPositions", this->LayerPositions);
+  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
+  os << indent << "LayerSize: " << this->LayerSize << "\n";
+  os << indent << "GrowthRatio: " << this->GrowthRatio << "\n";
+  os << indent << "GrowFromBothEnds: " << (this->GrowFromBothEnds ? "On" : "Off") << "\n";
+  os << indent << "QuadSize: " << this->QuadSize << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "EnsureValid: " << (this->EnsureValid ? "On" : "Off") << "\n";
+  os << indent << "ImproveQuality: " << (this->ImproveQuality ? "On" : "Off") << "\n";
+  os << indent << "Certify: " << (this->Certify ? "On" : "Off") << "\n";
+  os << indent << "FailIfInvalid: " << (this->FailIfInvalid ? "On" : "Off") << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkOneToOneSweep
+ * @brief Meshes a solid with hexahedra by sweeping the quads of one face to another.
+ *
+ * Give it the boundary of a solid as triangles with face ids, as CAD systems and gmsh export it,
+ * and name the source face. Everything else is found or made: the target face, the sides between
+ * the two and which of their loops belong together, structured quads on the sides, the quads of the
+ * source face on the target face, the interior. The method is that of S. Cai and T. J. Tautges,
+ * "Robust One-to-One Sweeping with Harmonic S-T Mappings and Cages", 22nd International Meshing
+ * Roundtable, 2013.
+ *
+ * Inputs, vtkUnstructuredGrid or vtkPolyData:
+ * - port 0 `Solid`: a closed surface (points may be repeated along edges), or a volume mesh, whose
+ *   boundary is taken. The faces are told apart by a cell array, see SetInputArrayToProcess();
+ *   without one by the angle between neighbouring triangles.
+ * - port 1 `SourceQuads`, optional: quads on the source face. Without it: quad cells on the source
+ *   face of the solid, where it is meshed with these; otherwise quads are made, see SetQuadSize().
+ *
+ * Faces on the sides that are meshed with structured quads from source to target keep their nodes,
+ * so that neighbouring volumes fit together.
+ *
+ * Output port 0: the hexahedra, numbered and with the arrays as vtkCageHexInterior's. Output port
+ * 1, `Boundary`: their outer quads (those of the source cap first, then the target cap, then the
+ * sides), facing outward, with the point array `HexPointIds` (the point of output 0) and the cell
+ * arrays `BoundaryId` (face id of the solid), `BoundaryPart` (0 source, 1 target, 2 side), `HexId`
+ * (the hexahedron behind) and `HexSide` (which of its sides, 1 to 6 in the order of Exodus II).
+ *
+ * Field data of both outputs: those of the solid; on output 0 the reports of the other filters'
+ * (`SweepReport*`) as well: stages with their seconds, `SweepReportTargetFaceIds`,
+ * `SweepReportKeptEdges` (CAD edges that are columns), `SweepReportLostEdges`, quality of the
+ * source quads that were made, ...
+ *
+ * A solid that cannot be swept raises one error that says which face or loop is in the way; both
+ * outputs are then empty.
+ */
+#ifndef vtkOneToOneSweep_h
+#define vtkOneToOneSweep_h
+
+#include "vtkFiltersHexSweepModule.h" // For export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <vector> // For lists of ids
+
+class VTKFILTERSHEXSWEEP_EXPORT vtkOneToOneSweep : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkOneToOneSweep* New();
+  vtkTypeMacro(vtkOneToOneSweep, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The solid: port 0. Its face ids: SetInputArrayToProcess(0, 0, 0,
+  /// vtkDataObject::FIELD_ASSOCIATION_CELLS, name); `FaceId`, then `CellEntityIds` by default.
+  void SetSolidConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(0, output); }
+  void SetSolidData(vtkDataObject* data) { this->SetInputData(0, data); }
+  ///@}
+
+  ///@{
+  /// Quads on the source cap: port 1, optional.
+  void SetSourceQuadsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetSourceQuadsData(vtkDataObject* data) { this->SetInputData(1, data); }
+  ///@}
+
+  ///@{
+  /// Ids of the faces that are the source cap; at least one, in any order.
+  void AddSourceFaceId(vtkIdType id);
+  void RemoveAllSourceFaceIds();
+  int GetNumberOfSourceFaceIds() const { return static_cast<int>(this->SourceFaceIds.size()); }
+  vtkIdType GetSourceFaceId(int i) const;
+  ///@}
+
+  ///@{
+  /// Ids of the faces that are the target cap. None (the default): the target is found, where only
+  /// one face can be it.
+  void AddTargetFaceId(vtkIdType id);
+  void RemoveAllTargetFaceIds();
+  int GetNumberOfTargetFaceIds() const { return static_cast<int>(this->TargetFaceIds.size()); }
+  vtkIdType GetTargetFaceId(int i) const;
+  ///@}
+
+  ///@{
+  /// Layers of hexahedra between source and target, >= 1; 10 by default.
+  vtkSetMacro(NumberOfLayers, vtkIdType);
+  vtkGetMacro(NumberOfLayers, vtkIdType);
+  ///@}
+
+  ///@{
+  /// Wanted mean thickness of the layers, in the unit of the coordinates; where it is not 0 (the
+  /// default) it counts instead of NumberOfLayers.
+  vtkSetMacro(LayerSize, double);
+  vtkGetMacro(LayerSize, double);
+  ///@}
+
+  ///@{
+  /// Thickness of a layer over that of the one before it, from source to target, > 0; 1 by default.
+  vtkSetMacro(GrowthRatio, double);
+  vtkGetMacro(GrowthRatio, double);
+  ///@}
+
+  ///@{
+  /// Let layers grow from both caps to the middle. Off by default.
+  vtkSetMacro(GrowFromBothEnds, bool);
+  vtkGetMacro(GrowFromBothEnds, bool);
+  vtkBooleanMacro(GrowFromBothEnds, bool);
+  ///@}
+
+  ///@{
+  /// Where the layers meet, strictly rising in (0, 1): fractions of each column's length from the
+  /// source. Where there are any they count instead of the number, size and growth of layers.
+  void AddLayerPosition(double position);
+  void RemoveAllLayerPositions();
+  int GetNumberOfLayerPositions() const { return static_cast<int>(this->LayerPositions.size()); }
+  double GetLayerPosition(int i) const;
+  ///@}
+
+  ///@{
+  /// Edge length of the source quads where they are made here; 0 (the default): about a thousand
+  /// quads, more where holes are small.
+  vtkSetMacro(QuadSize, double);
+  vtkGetMacro(QuadSize, double);
+  ///@}
+
+  ///@{
+  /// Degrees, in (0, 180): where there are no face ids, neighbouring triangles whose normals differ
+  /// by less are on one face. 30 by default.
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /// Distance up to which points count as the same, relative to the local edge length, in [0, 0.1].
+  /// 1e-6 by default.
+  vtkSetClampMacro(MatchTolerance, double, 0.0, 0.1);
+  vtkGetMacro(MatchTolerance, double);
+  ///@}
+
+  ///@{
+  /// How the interior is placed: a vtkCageHexInterior::MethodType, AUTOMATIC (0) by default.
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /// Untangle quads on the target cap and hexahedra that are not valid. On by default.
+  vtkSetMacro(EnsureValid, bool);
+  vtkGetMacro(EnsureValid, bool);
+  vtkBooleanMacro(EnsureValid, bool);
+  ///@}
+
+  ///@{
+  /// See vtkCageHexInterior. On by default.
+  vtkSetMacro(ImproveQuality, bool);
+  vtkGetMacro(ImproveQuality, bool);
+  vtkBooleanMacro(ImproveQuality, bool);
+  ///@}
+
+  ///@{
+  /// Prove of each hexahedron that it is valid at every point, or that it is not. On by default.
+  vtkSetMacro(Certify, bool);
+  vtkGetMacro(Certify, bool);
+  vtkBooleanMacro(Certify, bool);
+  ///@}
+
+  ///@{
+  /// Raise an error and return nothing where a hexahedron is inverted or degenerate, instead of a
+  /// warning. Off by default.
+  vtkSetMacro(FailIfInvalid, bool);
+  vtkGetMacro(FailIfInvalid, bool);
+  vtkBooleanMacro(FailIfInvalid, bool);
+  ///@}
+
+  ///@{
+  /// A vtkAlgorithm::DesiredOutputPrecision; DEFAULT_PRECISION (the default) means double.
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+protected:
+  vtkOneToOneSweep();
+  ~vtkOneToOneSweep() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOneToOneSweep(const vtkOneToOneSweep&) = delete;
+  void operator=(const vtkOneToOneSweep&) = delete;
+
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+  std::vector<vtkIdType> SourceFaceIds;
+  std::vector<vtkIdType> TargetFaceIds;
+  std::vector<double> LayerPositions;
+  vtkIdType NumberOfLayers = 10;
+  double LayerSize = 0.0;
+  double GrowthRatio = 1.0;
+  bool GrowFromBothEnds = false;
+  double QuadSize = 0.0;
+  double FeatureAngle = 30.0;
+  double MatchTolerance = 1e-6;
+  int Method = 0;
+  bool EnsureValid = true;
+  bool ImproveQuality = true;
+  bool Certify = true;
+  bool FailIfInvalid = false;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+};
+
+#endif

@@ -40,7 +40,7 @@ struct SolidData : SolidInput
  * @param data        nullptr counts as missing.
  * @param faceIdArray cell array with the face ids; empty: `FaceId`, else `CellEntityIds`, else
  * none.
- * @throw InvalidInput: missing, empty or composite data; an array that does not exist, is a point
+ * @throw InvalidInput: missing or empty data; an array that does not exist, is a point
  *        array or does not hold one whole number a cell; coordinates that are not finite.
  */
 SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray = {});
@@ -48,7 +48,7 @@ SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray = {});
 /// Quads of a solid's faces.
 struct FaceQuads
 {
-  QuadMesh mesh;               ///< turned as the solid's triangles are, normals outward
+  QuadMesh mesh;               ///< on the solid's points (merged), normals outward
   std::vector<Index> pointIds; ///< of the data set, one a point of the mesh
   std::vector<Index> cellIds;  ///< of the data set, one a quad
 };
@@ -57,7 +57,7 @@ struct FaceQuads
  * The quad cells on some faces.
  *
  * @param data  what `solid` was made from.
- * @return nothing where the faces have a cell that is no quad.
+ * @return nothing where the faces have a cell that is no quad or has collapsed.
  */
 std::optional<FaceQuads> quadsOfFaces(
   const SolidData& data, const SolidSurface& solid, const std::vector<Index>& faceIds);

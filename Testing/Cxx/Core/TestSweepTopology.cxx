@@ -275,7 +275,7 @@ TEST(SweepTopology, SidesThatBranch)
     { "branch: they join 2 loops of the source cap (face 5) with 2 loops of the target cap" });
   // Two holes that become one.
   const SolidInput y = cubes({ 5, 3, 2 },
-    [](int x, int y, int z) { return y != 1 || x == 0 || x == 4 || (z == 0 && x == 2); });
+    [](int x, int row, int z) { return row != 1 || x == 0 || x == 4 || (z == 0 && x == 2); });
   expectNoSweep(y, { 5 }, { 26 },
     { "different numbers of holes", "2 loops of the source cap (face 5) with 1 loop of" });
 }

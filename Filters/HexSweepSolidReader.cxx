@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepSolidReader.h"
+
+#include "HexSweepBridge.h"
+
+#include "Core/Describe.h"
+#include "Core/FaceSides.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCellTypes.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkGenericCell.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+const char* const What = "solid";
+
+/// Surface cells on the points of a data set, and the cells there that they are (part of).
+struct Surface
+{
+  vtkSmartPointer<vtkDataSet> cells;
+  std::vector<Index> cellIds; ///< empty: their own
+};
+
+/// Dimension of each type of cell in a data set.
+class CellDimensions
+{
+public:
+  explicit CellDimensions(vtkDataSet* data)
+    : Data(data)
+  {
+  }
+  int of(vtkIdType cell)
+  {
+    const int type = this->Data->GetCellType(cell);
+    const auto known = this->OfType.find(type);
+    if (known != this->OfType.end())
+    {
+      return known->second;
+    }
+    this->Generic->SetCellType(type);
+    return this->OfType[type] = type == VTK_EMPTY_CELL ? 0 : this->Generic->GetCellDimension();
+  }
+
+private:
+  vtkDataSet* Data;
+  vtkNew<vtkGenericCell> Generic;
+  std::map<int, int> OfType;
+};
+
+vtkSmartPointer<vtkPoints> pointsOf(vtkDataSet* data)
+{
+  if (vtkPointSet* pointSet = vtkPointSet::SafeDownCast(data))
+  {
+    return pointSet->GetPoints();
+  }
+  return vtkSmartPointer<vtkPoints>::Take(
+    newPoints(readPoints(data), vtkAlgorithm::DOUBLE_PRECISION));
+}
+
+/// Adds cells of another data set on the same points, one by one.
+class SurfaceBuilder
+{
+public:
+  explicit SurfaceBuilder(vtkDataSet* data)
+    : Grid(vtkSmartPointer<vtkUnstructuredGrid>::New())
+  {
+    this->Grid->SetPoints(pointsOf(data));
+    this->Grid->Allocate();
+  }
+  void add(int type, vtkIdList* points, vtkIdType cellId)
+  {
+    this->Grid->InsertNextCell(type, points);
+    this->CellIds.push_back(cellId);
+  }
+  Surface take() { return { this->Grid, std::move(this->CellIds) }; }
+
+private:
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::vector<Index> CellIds;
+};
+
+bool isGhost(vtkDataSet* data, vtkIdType cell)
+{
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  return ghosts && ghosts->GetValue(cell) != 0;
+}
+
+Surface surfaceCells(vtkDataSet* data, CellDimensions& dimensions)
+{
+  SurfaceBuilder builder(data);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+  {
+    if (dimensions.of(c) == 2 && !isGhost(data, c))
+    {
+      data->GetCellPoints(c, points);
+      builder.add(data->GetCellType(c), points, c);
+    }
+  }
+  return builder.take();
+}
+
+/// Sides of volume cells that no other one shares; of curved cells the corners only.
+Surface volumeBoundary(vtkDataSet* data, CellDimensions& dimensions)
+{
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  filter->SetInputData(data);
+  filter->DelegationOff();
+  filter->PassThroughCellIdsOn();
+  filter->PassThroughPointIdsOn();
+  filter->SetNonlinearSubdivisionLevel(0);
+  filter->Update();
+  vtkPolyData* boundary = filter->GetOutput();
+  auto* cellIds = vtkIdTypeArray::SafeDownCast(
+    boundary->GetCellData()->GetArray(filter->GetOriginalCellIdsName()));
+  auto* pointIds = vtkIdTypeArray::SafeDownCast(
+    boundary->GetPointData()->GetArray(filter->GetOriginalPointIdsName()));
+  SurfaceBuilder builder(data);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType c = 0; cellIds && pointIds && c < boundary->GetNumberOfCells(); ++c)
+  {
+    const vtkIdType cell = cellIds->GetValue(c);
+    if (dimensions.of(cell) == 3)
+    {
+      boundary->GetCellPoints(c, points);
+      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+      {
+        points->SetId(i, pointIds->GetValue(points->GetId(i)));
+      }
+      builder.add(boundary->GetCellType(c), points, cell);
+    }
+  }
+  return builder.take();
+}
+
+bool isClosed(const SurfaceInput& surface)
+{
+  bool closed = true;
+  forEachEdge(sortedSides(surface.faces, surface.points.rows()),
+    [&](std::size_t first, std::size_t last) { closed = closed && last - first == 2; });
+  return closed;
+}
+
+bool isQuad(int type, vtkIdType numberOfPoints)
+{
+  return type == VTK_QUAD || type == VTK_PIXEL || (type == VTK_POLYGON && numberOfPoints == 4);
+}
+
+/// Takes over triangles and quads of a surface.
+void fill(SolidData& solid, const Surface& surface, SurfaceInput&& input)
+{
+  solid.points = std::move(input.points);
+  solid.triangles = input.faces;
+  std::vector<Index> corners;
+  vtkNew<vtkIdList> points;
+  for (std::size_t t = 0; t < input.cellIds.size(); ++t)
+  {
+    const Index own = input.cellIds[t];
+    const Index cell =
+      surface.cellIds.empty() ? own : surface.cellIds[static_cast<std::size_t>(own)];
+    solid.cellIds.push_back(cell);
+    if (t > 0 && input.cellIds[t - 1] == own)
+    {
+      solid.quadOfTriangle.push_back(solid.quadOfTriangle.back());
+      continue;
+    }
+    const int type = surface.cells->GetCellType(own);
+    if (type == VTK_TRIANGLE)
+    {
+      solid.quadOfTriangle.push_back(-1);
+      continue;
+    }
+    surface.cells->GetCellPoints(own, points);
+    const bool quad = isQuad(type, points->GetNumberOfIds());
+    solid.quadOfTriangle.push_back(quad ? static_cast<Index>(solid.quadCellIds.size()) : -1);
+    if (quad)
+    {
+      const bool pixel = type == VTK_PIXEL;
+      for (const int i : { 0, 1, pixel ? 3 : 2, pixel ? 2 : 3 })
+      {
+        corners.push_back(points->GetId(i));
+      }
+      solid.quadCellIds.push_back(cell);
+    }
+  }
+  solid.quads = Eigen::Map<const Quads>(corners.data(), static_cast<Index>(corners.size()) / 4, 4);
+}
+
+std::string namesOfArrays(vtkCellData* cellData)
+{
+  std::string names;
+  for (int i = 0; i < cellData->GetNumberOfArrays(); ++i)
+  {
+    const char* name = cellData->GetAbstractArray(i)->GetName();
+    names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
+  }
+  return names.empty() ? "it has no cell arrays" : "its cell arrays are: " + names;
+}
+
+/// The array with the face ids, or nullptr where there is none and none was asked for.
+vtkAbstractArray* findFaceIds(vtkDataSet* data, const std::string& asked)
+{
+  const std::vector<std::string> names =
+    asked.empty() ? std::vector<std::string>{ "FaceId", "CellEntityIds" } : std::vector{ asked };
+  for (const std::string& name : names)
+  {
+    if (vtkAbstractArray* array = data->GetCellData()->GetAbstractArray(name.c_str()))
+    {
+      return array;
+    }
+  }
+  for (const std::string& name : names)
+  {
+    if (data->GetPointData()->GetAbstractArray(name.c_str()))
+    {
+      throw InvalidInput("the solid: the face ids \"" + name +
+        "\" are a point array. A face is made of cells: give each cell its id (in ParaView: Point "
+        "Data to Cell Data with Categorical Data).");
+    }
+  }
+  if (!asked.empty())
+  {
+    throw InvalidInput("the solid has no cell array \"" + asked +
+      "\" with face ids: " + namesOfArrays(data->GetCellData()) + ".");
+  }
+  return nullptr;
+}
+
+std::vector<Index> readFaceIds(
+  vtkDataSet* data, vtkAbstractArray* array, const std::vector<Index>& cells)
+{
+  const std::string start = "the solid: the face ids \"" + std::string(array->GetName()) + "\" ";
+  if (array->GetNumberOfTuples() != data->GetNumberOfCells())
+  {
+    throw InvalidInput(start + "have " + std::to_string(array->GetNumberOfTuples()) +
+      " entries for " + std::to_string(data->GetNumberOfCells()) +
+      " cells. There must be one a cell.");
+  }
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers || array->GetNumberOfComponents() != 1)
+  {
+    throw InvalidInput(start +
+      (numbers ? "have " + std::to_string(array->GetNumberOfComponents()) + " components"
+               : std::string("are no numbers")) +
+      ". A face id is one whole number a cell.");
+  }
+  const bool real = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+  constexpr double Largest = 9007199254740992.0; // 2^53: whole numbers up to here are exact
+  std::vector<Index> ids;
+  ids.reserve(cells.size());
+  for (const Index cell : cells)
+  {
+    const double value = numbers->GetComponent(cell, 0);
+    if (real && !(std::abs(value) <= Largest && std::floor(value) == value))
+    {
+      throw InvalidInput(start + "are real numbers that are not whole: " + describe(value) +
+        " in cell " + std::to_string(cell) + ". Choose the array that numbers the faces.");
+    }
+    ids.push_back(std::abs(value) < Largest
+        ? static_cast<Index>(value)
+        : static_cast<Index>(numbers->GetVariantValue(cell).ToLongLong()));
+  }
+  return ids;
+}
+
+/// The quad that two triangles with a common edge form, in their direction.
+std::array<Index, 4> joinHalves(
+  const Eigen::Matrix<Index, 1, 3>& first, const Eigen::Matrix<Index, 1, 3>& second)
+{
+  const auto isIn = [](const Eigen::Matrix<Index, 1, 3>& corners, Index p) {
+    return (corners.array() == p).any();
+  };
+  Index apex = second[0];
+  for (int c = 1; c < 3; ++c)
+  {
+    apex = isIn(first, second[c]) ? apex : second[c];
+  }
+  std::array<Index, 4> quad{};
+  std::size_t next = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    quad[next++] = first[c];
+    if (isIn(second, first[c]) && isIn(second, first[(c + 1) % 3]))
+    {
+      quad[next++] = apex;
+    }
+  }
+  return quad;
+}
+
+bool hasVolumes(vtkDataSet* data, CellDimensions& dimensions)
+{
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+  {
+    if (dimensions.of(c) == 3 && !isGhost(data, c))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray)
+{
+  SolidData solid;
+  CellDimensions dimensions(data);
+  if (!data || !hasVolumes(data, dimensions))
+  {
+    SurfaceInput input = readTriangles(data, What);
+    solid.ignoredCells = input.ignoredCells;
+    fill(solid, { data, {} }, std::move(input));
+  }
+  else
+  {
+    Index surfaces = 0;
+    for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+    {
+      solid.ignoredCells += dimensions.of(c) < 2 && !isGhost(data, c) ? 1 : 0;
+      surfaces += dimensions.of(c) == 2 && !isGhost(data, c) ? 1 : 0;
+    }
+    if (surfaces > 0)
+    {
+      const Surface own = surfaceCells(data, dimensions);
+      SurfaceInput input = readTriangles(own.cells, What);
+      if (isClosed(input))
+      {
+        fill(solid, own, std::move(input));
+      }
+    }
+    if (solid.triangles.rows() == 0)
+    {
+      const Surface boundary = volumeBoundary(data, dimensions);
+      fill(solid, boundary, readTriangles(boundary.cells, What));
+      solid.fromVolume = true;
+      solid.ignoredSurfaces = surfaces;
+    }
+  }
+  vtkAbstractArray* ids = findFaceIds(data, faceIdArray);
+  if (ids && !solid.fromVolume)
+  {
+    solid.faceIds = readFaceIds(data, ids, solid.cellIds);
+    solid.faceIdArray = ids->GetName();
+  }
+  return solid;
+}
+
+std::optional<FaceQuads> quadsOfFaces(
+  const SolidData& data, const SolidSurface& solid, const std::vector<Index>& faceIds)
+{
+  const std::vector<Index> triangles = trianglesOfFaces(solid, faceIds);
+  const auto quadOf = [&](Index t) {
+    return data
+      .quadOfTriangle[static_cast<std::size_t>(solid.triangleRows[static_cast<std::size_t>(t)])];
+  };
+  FaceQuads result;
+  std::vector<Index> corners; // points of the solid
+  for (std::size_t i = 0; i < triangles.size(); i += 2)
+  {
+    const Index quad = quadOf(triangles[i]);
+    if (quad < 0 || i + 1 == triangles.size() || quadOf(triangles[i + 1]) != quad)
+    {
+      return std::nullopt;
+    }
+    const std::array<Index, 4> joined =
+      joinHalves(solid.triangles.row(triangles[i]), solid.triangles.row(triangles[i + 1]));
+    corners.insert(corners.end(), joined.begin(), joined.end());
+    result.cellIds.push_back(data.quadCellIds[static_cast<std::size_t>(quad)]);
+  }
+
+  std::vector<Index> used = corners;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  result.mesh.points.resize(static_cast<Index>(used.size()), 3);
+  for (std::size_t p = 0; p < used.size(); ++p)
+  {
+    result.mesh.points.row(static_cast<Index>(p)) = solid.points.row(used[p]);
+    result.pointIds.push_back(solid.pointRows[static_cast<std::size_t>(used[p])]);
+  }
+  result.mesh.quads.resize(static_cast<Index>(corners.size()) / 4, 4);
+  for (std::size_t c = 0; c < corners.size(); ++c)
+  {
+    result.mesh.quads.data()[c] =
+      std::lower_bound(used.begin(), used.end(), corners[c]) - used.begin();
+  }
+  return result;
+}
+}

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From CAD solids to certified hexahedra in one filter.
+#include "SolidGrids.h"
+
+#include <vtkMeshQuality.h>
+#include <vtkMultiBlockDataSet.h>
+
+namespace
+{
+using test::CadSolid;
+using test::report;
+using test::SolidSweep;
+
+/// Nodes of each side of a hexahedron, zero-based, from the manual of Exodus II (sides 1 to 6).
+constexpr int ExodusSides[6][4] = { { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 0, 4, 7, 3 },
+  { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+
+void expectCertified(vtkUnstructuredGrid* hexes)
+{
+  ASSERT_GT(hexes->GetNumberOfCells(), 0);
+  vtkDataArray* validity = hexes->GetCellData()->GetArray("Validity");
+  for (vtkIdType h = 0; h < hexes->GetNumberOfCells(); ++h)
+  {
+    EXPECT_EQ(validity->GetTuple1(h), 0.0) << h;
+    EXPECT_GT(vtkMeshQuality::HexScaledJacobian(hexes->GetCell(h)), 0.0) << h;
+  }
+}
+
+/// All nodes of the boundary lie on the solid; those of the source quads count as given.
+void expectOnSolid(vtkUnstructuredGrid* boundary, vtkUnstructuredGrid* solid)
+{
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(solid);
+  locator->BuildLocator();
+  const double tolerance = 1e-9 * test::sizeOf(solid);
+  for (vtkIdType i = 0; i < boundary->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    vtkIdType cell;
+    int sub;
+    double distance2;
+    locator->FindClosestPoint(boundary->GetPoint(i), place, cell, sub, distance2);
+    EXPECT_LT(std::sqrt(distance2), tolerance) << i;
+  }
+}
+
+/// The boundary quads are the outside of the hexahedra, each where it says it is.
+void expectBoundaryOf(vtkUnstructuredGrid* boundary, vtkUnstructuredGrid* hexes)
+{
+  const std::map<vtkIdType, vtkIdType> unmatched = test::boundaryOf(boundary);
+  EXPECT_TRUE(unmatched.empty()) << "the boundary is not closed";
+  vtkDataArray* pointIds = boundary->GetPointData()->GetArray("HexPointIds");
+  vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
+  vtkDataArray* sides = boundary->GetCellData()->GetArray("HexSide");
+  std::set<std::pair<double, double>> seen;
+  for (vtkIdType c = 0; c < boundary->GetNumberOfCells(); ++c)
+  {
+    seen.emplace(hexIds->GetTuple1(c), sides->GetTuple1(c));
+    vtkCell* hex = hexes->GetCell(static_cast<vtkIdType>(hexIds->GetTuple1(c)));
+    const int* corners = ExodusSides[static_cast<int>(sides->GetTuple1(c)) - 1];
+    const test::Corners cell = test::cornersOf(boundary, c);
+    std::array<vtkIdType, 4> expected;
+    std::array<vtkIdType, 4> found;
+    ASSERT_EQ(cell.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      expected[i] = hex->GetPointId(corners[i]);
+      found[i] = static_cast<vtkIdType>(pointIds->GetTuple1(cell[i]));
+    }
+    // The same quad, the same way round (outward), from any corner.
+    const auto start = std::find(found.begin(), found.end(), expected[0]);
+    ASSERT_NE(start, found.end()) << c;
+    std::rotate(found.begin(), start, found.end());
+    EXPECT_EQ(found, expected) << c;
+  }
+  EXPECT_EQ(static_cast<vtkIdType>(seen.size()), boundary->GetNumberOfCells());
+}
+
+class CadSolids : public testing::TestWithParam<CadSolid>
+{
+};
+
+TEST_P(CadSolids, GivenQuads)
+{
+  const CadSolid& solid = GetParam();
+  const test::Grid surface = test::solidGrid(solid.name);
+  const test::Grid quads = test::solidQuads(solid.name);
+  SolidSweep sweep(surface, quads);
+  sweep.name(solid.source, solid.target);
+  sweep.filter->SetNumberOfLayers(solid.layers);
+  sweep.filter->Update();
+  EXPECT_EQ(sweep.messages(), "");
+  vtkUnstructuredGrid* hexes = sweep.hexes();
+  EXPECT_EQ(hexes->GetNumberOfCells(), quads->GetNumberOfCells() * solid.layers);
+  EXPECT_EQ(hexes->GetNumberOfPoints(), quads->GetNumberOfPoints() * (solid.layers + 1));
+  expectCertified(hexes);
+  for (vtkIdType i = 0; i < quads->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(test::pointOf(hexes, i), test::pointOf(quads, i)) << i;
+  }
+
+  vtkUnstructuredGrid* boundary = sweep.boundary();
+  EXPECT_EQ(
+    boundary->GetNumberOfCells(), 2 * quads->GetNumberOfCells() + solid.loopNodes * solid.layers);
+  expectOnSolid(boundary, surface);
+  expectBoundaryOf(boundary, hexes);
+  EXPECT_EQ(report(hexes, "SweepReportKeptEdges"), static_cast<double>(solid.columnEdges));
+  EXPECT_EQ(report(hexes, "SweepReportLostEdges"), 0.0);
+  EXPECT_NEAR(test::enclosedVolume(boundary) / test::enclosedVolume(surface), 1.0, 0.02);
+
+  // Every face of the solid is there, with about its area.
+  const auto expected = test::areasById(surface, "FaceId");
+  const auto found = test::areasById(boundary, "BoundaryId");
+  ASSERT_EQ(found.size(), expected.size());
+  for (const auto& [id, area] : expected)
+  {
+    ASSERT_EQ(found.count(id), 1u) << "face " << id;
+    // Quads of a stacked or narrow face may lie across its border.
+    EXPECT_NEAR(found.at(id) / area, 1.0, 0.12) << "face " << id;
+  }
+}
+
+TEST_P(CadSolids, QuadsAreMade)
+{
+  const CadSolid& solid = GetParam();
+  const test::Grid surface = test::solidGrid(solid.name);
+  for (const bool swapped : { false, true })
+  {
+    SolidSweep sweep(surface);
+    sweep.name(swapped ? solid.target : solid.source, {});
+    sweep.filter->SetQuadSize(solid.quadSize);
+    sweep.filter->SetNumberOfLayers(solid.layers);
+    sweep.filter->Update();
+    EXPECT_EQ(sweep.messages(), "") << swapped;
+    expectCertified(sweep.hexes());
+    expectOnSolid(sweep.boundary(), surface);
+    expectBoundaryOf(sweep.boundary(), sweep.hexes());
+    EXPECT_EQ(
+      report(sweep.hexes(), "SweepReportKeptEdges"), static_cast<double>(solid.columnEdges));
+    EXPECT_EQ(report(sweep.hexes(), "SweepReportTargetFaceIds"),
+      static_cast<double>((swapped ? solid.source : solid.target).front()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, CadSolids, testing::ValuesIn(test::cadSolids()),
+  [](const auto& solid) { return std::string(solid.param.name); });
+
+TEST(OneToOneSweep, LayersAsAskedFor)
+{
+  const test::Grid surface = test::solidGrid("flange");
+  const test::Grid quads = test::solidQuads("flange");
+  const auto heights = [&](const std::function<void(vtkOneToOneSweep*)>& set) {
+    SolidSweep sweep(surface, quads);
+    sweep.name({ 3 }, { 2 });
+    set(sweep.filter);
+    sweep.filter->Update();
+    std::set<double> reached; // of the first column, which is straight
+    const vtkIdType n = quads->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < sweep.hexes()->GetNumberOfPoints(); i += n)
+    {
+      reached.insert(
+        std::round(
+          1e6 * test::distance(test::pointOf(sweep.hexes(), i), test::pointOf(sweep.hexes(), 0))) /
+        1e6);
+    }
+    return std::vector<double>(reached.begin(), reached.end());
+  };
+  EXPECT_EQ(heights([](vtkOneToOneSweep*) {}).size(), 11u);
+  EXPECT_EQ(heights([](vtkOneToOneSweep* f) { f->SetLayerSize(2.0); }).size(), 8u); // 14 high
+  const std::vector<double> placed = heights([](vtkOneToOneSweep* f) {
+    f->AddLayerPosition(0.5);
+    f->AddLayerPosition(0.75);
+  });
+  ASSERT_EQ(placed.size(), 4u);
+  EXPECT_NEAR(placed[1] / placed[3], 0.5, 1e-3);
+  EXPECT_NEAR(placed[2] / placed[3], 0.75, 1e-3);
+  const std::vector<double> grown = heights([](vtkOneToOneSweep* f) {
+    f->SetNumberOfLayers(4);
+    f->SetGrowthRatio(2.0);
+  });
+  ASSERT_EQ(grown.size(), 5u);
+  EXPECT_NEAR(grown[1] / grown[4], 1.0 / 15.0, 1e-3);
+  const std::vector<double> both = heights([](vtkOneToOneSweep* f) {
+    f->SetNumberOfLayers(4);
+    f->SetGrowthRatio(2.0);
+    f->GrowFromBothEndsOn();
+  });
+  ASSERT_EQ(both.size(), 5u);
+  EXPECT_NEAR(both[1] / both[4], 1.0 / 6.0, 1e-3);
+  EXPECT_NEAR(both[2] / both[4], 0.5, 1e-3);
+}
+
+TEST(OneToOneSweep, PointsRepeatedAlongEdgesAreMerged)
+{
+  const test::Grid surface = test::solidGrid("bracket");
+  // As STL has it: each triangle with points of its own, in single precision.
+  vtkNew<vtkUnstructuredGrid> soup;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  soup->SetPoints(points);
+  for (vtkIdType c = 0; c < surface->GetNumberOfCells(); ++c)
+  {
+    vtkIdType ids[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      ids[i] = points->InsertNextPoint(surface->GetCell(c)->GetPoints()->GetPoint(i));
+    }
+    soup->InsertNextCell(VTK_TRIANGLE, 3, ids);
+  }
+  soup->GetCellData()->ShallowCopy(surface->GetCellData());
+  SolidSweep sweep(soup);
+  sweep.name({ 26 }, {});
+  sweep.filter->SetNumberOfLayers(14);
+  sweep.filter->Update();
+  EXPECT_EQ(sweep.messages(), "");
+  expectCertified(sweep.hexes());
+  EXPECT_EQ(report(sweep.hexes(), "SweepReportMergedPoints"),
+    static_cast<double>(soup->GetNumberOfPoints() - surface->GetNumberOfPoints()));
+}
+
+TEST(OneToOneSweep, DataAreCarried)
+{
+  const test::Grid surface = test::solidGrid("wing");
+  const test::Grid quads = test::withData(test::solidQuads("wing"));
+  surface->GetFieldData()->AddArray(test::numbers("VolumeNumber", 1, 17.0));
+  SolidSweep sweep(surface, quads);
+  sweep.name({ 3 }, { 4 });
+  sweep.filter->SetNumberOfLayers(3);
+  sweep.filter->Update();
+  for (vtkUnstructuredGrid* grid : { sweep.hexes(), sweep.boundary() })
+  {
+    ASSERT_NE(grid->GetFieldData()->GetArray("VolumeNumber"), nullptr);
+    EXPECT_EQ(grid->GetFieldData()->GetArray("VolumeNumber")->GetTuple1(0), 17.0);
+  }
+  const vtkIdType n = quads->GetNumberOfPoints();
+  for (int a = 0; a < quads->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* from = quads->GetPointData()->GetArray(a);
+    vtkDataArray* to = sweep.hexes()->GetPointData()->GetArray(from->GetName());
+    ASSERT_NE(to, nullptr) << from->GetName();
+    for (vtkIdType i = 0; i < sweep.hexes()->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_EQ(to->GetTuple1(i), from->GetTuple1(i % n));
+    }
+  }
+}
+
+TEST(OneToOneSweep, AbortsWithEmptyOutputs)
+{
+  for (const double fraction : { 0.03, 0.1, 0.3, 0.6, 0.95 })
+  {
+    SolidSweep sweep(test::solidGrid("bracket"));
+    sweep.name({ 26 }, {});
+    test::expectEmptyWhenAborted(sweep.filter, fraction);
+  }
+}
+
+TEST(OneToOneSweep, CompositeDataAreRefused)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, test::solidGrid("flange"));
+  SolidSweep sweep(blocks);
+  sweep.name({ 3 }, {});
+  test::expectOneError(sweep.filter, "composite");
+}
+}

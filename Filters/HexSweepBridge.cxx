@@ -268,6 +268,13 @@ bool isIdleRank(vtkInformationVector* outputs, vtkInformationVector** inputs,
   return empty;
 }
 
+std::string chosenArray(vtkAlgorithm* algorithm)
+{
+  vtkInformation* chosen = algorithm->GetInputArrayInformation(0);
+  const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
+  return !name || std::string(name) == "None" ? std::string() : name;
+}
+
 std::optional<QuadMesh> readOptionalQuads(vtkDataSet* data, const std::string& what)
 {
   if (!data)

@@ -75,6 +75,10 @@ SurfaceInput readQuads(vtkDataSet* data, const std::string& what);
 /// The quads of an optional input, where one is connected. @throw InvalidInput as readQuads().
 std::optional<QuadMesh> readOptionalQuads(vtkDataSet* data, const std::string& what);
 
+/// The cell array that was chosen by SetInputArrayToProcess(0, ...); empty where none was, or where
+/// ParaView's entry for none was.
+std::string chosenArray(vtkAlgorithm* algorithm);
+
 /// All points of the data set. @throw InvalidInput never: coordinates are not looked at.
 Points readPoints(vtkDataSet* data);
 

@@ -157,10 +157,9 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   const SurfaceInput quads = readQuads(inputDataSet(inputs, 0), "source quads");
   const SurfaceTopology topology = checkSurface(quads.faces, quads.points.rows(), "source quads");
   checkCap(topology, "source quads");
-  const char* arrayName = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   const LinkingSurface surface =
-    linkingSurface(readSolid(inputDataSet(inputs, 1), arrayName ? arrayName : ""),
-      this->MatchTolerance, this->FeatureAngle * Pi / 180.0);
+    linkingSurface(readSolid(inputDataSet(inputs, 1), chosenArray(this)), this->MatchTolerance,
+      this->FeatureAngle * Pi / 180.0);
   const std::vector<LinkingSide> sides = splitLinkingSides(surface, quads.points, topology.loops);
   LayerRequest layers;
   layers.layers = this->NumberOfLayers;

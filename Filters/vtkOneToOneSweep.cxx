@@ -172,9 +172,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   }
   StageClock clock;
   vtkDataSet* solidData = inputDataSet(inputs, 0);
-  vtkInformation* array = this->GetInputArrayInformation(0);
-  const char* arrayName = array->Get(vtkDataObject::FIELD_NAME());
-  const SolidData data = readSolid(solidData, arrayName ? arrayName : "");
+  const SolidData data = readSolid(solidData, chosenArray(this));
   clock.finish("Read");
   reportProgress(pipelineProgress(this), 0.02);
 

@@ -4,11 +4,12 @@
 # Utilities/demo.sh [model...]
 # Utilities/demo.sh --compare
 #
-# Installs what is missing, builds HexSweep and sweeps models of Data/cases (default: fig7 fig8
-# fig9, the three models of the paper) through the chained ParaView filters. Prints one table and
-# leaves a mesh (.vtu), a picture and a quality histogram of each model in build/demo.
+# Installs what is missing, builds HexSweep, sweeps models of Data/cases through the chained ParaView
+# filters and CAD solids of Data/solids by OneToOneSweep (default: fig7 fig8 fig9, the three models of
+# the paper, and the flange). Prints tables and leaves meshes (.vtu) and pictures in build/demo.
 #
-# A model is the name of a folder of Data/cases or the beginning of one.
+# A model is the name of a folder of Data/cases or the beginning of one, or that of a folder of
+# Data/solids; "solids" are all of these.
 # --compare sweeps all of them by several methods instead: one table, and pictures of the affine
 # method beside HexSweep with caps that are not parallel, along a curved trajectory, round a growing
 # hole (about a minute).
@@ -17,26 +18,38 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-script=sweep_models.py
 models=("$@")
+compare=no
 if [[ ${1:-} == --compare ]]; then
-  script=compare.py
+  compare=yes
   models=()
 elif ((${#models[@]} == 0)); then
-  models=(fig7 fig8 fig9)
+  models=(fig7 fig8 fig9 flange)
+elif [[ ${models[*]} == solids ]]; then
+  models=($(ls "$source_dir/Data/solids"))
 fi
+cases=()
+solids=()
+for model in "${models[@]}"; do
+  if [[ -d $source_dir/Data/solids/$model ]]; then solids+=("$model"); else cases+=("$model"); fi
+done
 demo_dir=${HEXSWEEP_DEMO_DIR:-$source_dir/build/demo}
 
 "$source_dir/Utilities/install-dependencies.sh"
 configure_and_build HexSweep
 
-plugin=$(find "$build_dir" -name HexSweep.so -type f | head -n 1)
+plugin=$(find "$build_dir/lib" -name HexSweep.so -type f | head -n 1)
 if [[ -z $plugin ]]; then
   echo "demo.sh: the build left no HexSweep.so in $build_dir" >&2
   exit 1
 fi
 
 start_display
+run_script() { # script, data, models...
+  pvpython "$source_dir/Utilities/demo/$1" \
+    --plugin "$plugin" --data "$source_dir/Data/$2" --output "$demo_dir" "${@:3}"
+}
 say "sweep: ${models[*]:-all cases}"
-pvpython "$source_dir/Utilities/demo/$script" \
-  --plugin "$plugin" --data "$source_dir/Data/cases" --output "$demo_dir" "${models[@]}"
+if [[ $compare == yes ]]; then run_script compare.py cases; fi
+if ((${#cases[@]} > 0)); then run_script sweep_models.py cases "${cases[@]}"; fi
+if ((${#solids[@]} > 0)); then run_script sweep_solids.py solids "${solids[@]}"; fi

@@ -12,7 +12,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 case_name=${1:-fig7_growing_hole}
 picture=${2:-$source_dir/Documentation/pictures/paraview_chain.png}
-plugin=$(find "$build_dir" -name HexSweep.so -type f | head -n 1)
+plugin=$(find "$build_dir/lib" -name HexSweep.so -type f | head -n 1)
 [[ -n $plugin ]] || { echo "screenshot.sh: build first (Utilities/demo.sh)" >&2; exit 1; }
 
 start_display

@@ -65,6 +65,40 @@ def draw_hexes(case, sweep, file_name, size=(1600, 1000)):
     simple.Delete(view)
 
 
+def draw_solid(solid, hexes, file_name, size=(1600, 760)):
+    """A tessellated solid with its faces in colours, and beside it its hexes cut open."""
+    data = fetch(hexes)
+    points = points_of(data)
+    layer = vtk_to_numpy(data.GetPointData().GetArray("SweepLayer"))
+    frame = _Frame(points[layer == 0], points[layer == layer.max()], points)
+    simple._DisableFirstRenderCameraReset()
+    layout = simple.CreateLayout(name=file_name)
+    layout.SplitHorizontal(0, 0.5)
+    views = [_view(), _view()]
+    for cell, view in enumerate(views, start=1):
+        layout.AssignView(cell, view)
+        view.ViewSize = [size[0] // 2, size[1]]
+    layout.SetSize(*size)
+
+    display = simple.Show(solid, views[0], "UnstructuredGridRepresentation")
+    display.Representation = "Surface With Edges"
+    display.EdgeColor = EDGE
+    display.LineWidth = 0.4
+    simple.ColorBy(display, ("CELLS", "FaceId"), separate=True)
+    table = simple.GetColorTransferFunction("FaceId", display, separate=True)
+    table.ApplyPreset("Brewer Qualitative Pastel1", True)
+    low, high = fetch(solid).GetCellData().GetArray("FaceId").GetRange()
+    table.RescaleTransferFunction(low, high)
+    display.SetScalarBarVisibility(views[0], False)
+    _title(views[0], "The solid, its CAD faces in colours")
+    _look(views[0], points_of(fetch(solid)), *frame.cut_camera(), room=(0.03, 0.12))
+    draw_cut(views[1], hexes, frame, "Hexes cut open")
+    simple.SaveScreenshot(file_name, layout, ImageResolution=list(size), SeparatorWidth=0)
+    for view in views:
+        simple.Delete(view)
+    simple.RemoveLayout(layout)
+
+
 def draw_beside(case, sweeps, file_name, size=(1600, 760)):
     """Two meshes of one case cut open, side by side, with all that is inverted in front of the cut.
 

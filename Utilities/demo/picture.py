@@ -13,6 +13,8 @@ CAP = [0.86, 0.88, 0.91]
 INVERTED = [0.84, 0.10, 0.11]
 PANELS = [2000, 1760]
 EDGE = [0.25, 0.27, 0.30]
+FACES = [[0.55, 0.71, 0.85], [0.98, 0.75, 0.50], [0.66, 0.84, 0.60], [0.96, 0.65, 0.65],
+         [0.79, 0.70, 0.87], [0.98, 0.90, 0.55], [0.60, 0.85, 0.82], [0.86, 0.80, 0.74]]
 
 
 def draw_sweep(case, affine, harmonic, affine_inverted, harmonic_inverted, title, file_name):
@@ -65,34 +67,45 @@ def draw_hexes(case, sweep, file_name, size=(1600, 1000)):
     simple.Delete(view)
 
 
-def draw_solid(solid, hexes, file_name, size=(1600, 760)):
-    """A tessellated solid with its faces in colours, and beside it its hexes cut open."""
+def draw_solid(solid, hexes, file_name, size=(1800, 620)):
+    """A tessellated solid with its faces in colours, and beside it its hexes, whole and cut open."""
     data = fetch(hexes)
     points = points_of(data)
     layer = vtk_to_numpy(data.GetPointData().GetArray("SweepLayer"))
     frame = _Frame(points[layer == 0], points[layer == layer.max()], points)
+    frame.cut_lengthwise(points)
     simple._DisableFirstRenderCameraReset()
     layout = simple.CreateLayout(name=file_name)
-    layout.SplitHorizontal(0, 0.5)
-    views = [_view(), _view()]
-    for cell, view in enumerate(views, start=1):
+    views = [_view() for _ in range(3)]
+    layout.SplitHorizontal(0, 1.0 / 3.0)
+    layout.SplitHorizontal(2, 0.5)
+    for cell, view in zip((1, 5, 6), views):
         layout.AssignView(cell, view)
-        view.ViewSize = [size[0] // 2, size[1]]
+        view.ViewSize = [size[0] // 3, size[1]]
     layout.SetSize(*size)
 
     display = simple.Show(solid, views[0], "UnstructuredGridRepresentation")
     display.Representation = "Surface With Edges"
     display.EdgeColor = EDGE
     display.LineWidth = 0.4
+    display.Ambient, display.Diffuse, display.Specular = 0.45, 0.6, 0.0
     simple.ColorBy(display, ("CELLS", "FaceId"), separate=True)
     table = simple.GetColorTransferFunction("FaceId", display, separate=True)
-    table.ApplyPreset("Brewer Qualitative Pastel1", True)
-    low, high = fetch(solid).GetCellData().GetArray("FaceId").GetRange()
-    table.RescaleTransferFunction(low, high)
+    ids = np.unique(vtk_to_numpy(fetch(solid).GetCellData().GetArray("FaceId")))
+    table.RGBPoints = [
+        value
+        for i, number in enumerate(ids)
+        for step in (-0.499, 0.499)
+        for value in (number + step, *FACES[i % len(FACES)])
+    ]
+    table.ColorSpace = "RGB"
     display.SetScalarBarVisibility(views[0], False)
     _title(views[0], "The solid, its CAD faces in colours")
     _look(views[0], points_of(fetch(solid)), *frame.cut_camera(), room=(0.03, 0.12))
-    draw_cut(views[1], hexes, frame, "Hexes cut open")
+    _show_quality(hexes, views[1])
+    _title(views[1], "Hexes")
+    _look(views[1], points, *frame.cut_camera(), room=(0.17, 0.12))
+    draw_cut(views[2], hexes, frame, "Hexes cut open")
     simple.SaveScreenshot(file_name, layout, ImageResolution=list(size), SeparatorWidth=0)
     for view in views:
         simple.Delete(view)
@@ -156,7 +169,16 @@ def draw_cut(view, hexes, frame, title):
     clip.Invert = 1
     # The closed skin first: it is what can be seen, and its edges are the edges of whole hexes.
     skin = simple.ExtractSurface(Input=clip)
-    display = simple.Show(skin, view, "GeometryRepresentation")
+    _show_quality(skin, view)
+    _title(view, title)
+    points = _points_of_surface(skin)
+    _look(view, points, *frame.cut_camera(), room=(0.17, 0.12 if title else 0.03))
+    return points
+
+
+def _show_quality(mesh, view):
+    """The mesh in the colours of its scaled Jacobian, with a scale below it."""
+    display = simple.Show(mesh, view)
     display.Representation = "Surface With Edges"
     display.EdgeColor = EDGE
     display.LineWidth = 0.6
@@ -177,10 +199,6 @@ def draw_cut(view, hexes, frame, title):
     bar.DrawAnnotations = 0
     bar.UseCustomLabels, bar.CustomLabels = 1, [0.25, 0.5, 0.75]
     display.SetScalarBarVisibility(view, True)
-    _title(view, title)
-    points = _points_of_surface(skin)
-    _look(view, points, *frame.cut_camera(), room=(0.17, 0.12 if title else 0.03))
-    return points
 
 
 def _draw_cap(view, quads, inverted, title, direction, up):
@@ -279,7 +297,8 @@ class _Frame:
         self._source_normal = _plane_normal(source)
         self._target_normal = _plane_normal(target)
         normal = np.cross(sweep, bend)
-        if np.linalg.norm(normal) > 0.02 * np.ptp(hexes, axis=0).max() ** 2:
+        self.is_bent = np.linalg.norm(normal) > 0.02 * np.ptp(hexes, axis=0).max() ** 2
+        if self.is_bent:
             # A bent sweep: cut it in the plane of its spine.
             self.cut_normal, self._cut_up = _unit(normal), _unit(bend)
         else:
@@ -291,6 +310,17 @@ class _Frame:
         self._turn = np.linalg.lstsq(
             source - self._source_centre, target - self._target_centre, rcond=None
         )[0]
+
+    def cut_lengthwise(self, points):
+        """Lets the cut show as much as it can: its normal is where the mesh is thinnest."""
+        if self.is_bent:
+            return
+        axis = self._cut_up
+        across = points - points.mean(axis=0)
+        across = across - np.outer(across @ axis, axis)
+        self.cut_normal = _unit(np.linalg.svd(across, full_matrices=False)[2][1])
+        if self.cut_normal @ np.ones(3) > 0:
+            self.cut_normal = -self.cut_normal
 
     def target_camera(self):
         """Direction and up vector that show the target cap from outside the volume."""

@@ -1,0 +1,576 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solids from every kind of data set; the parts of those of Data/solids against their case.json.
+#include "Core/SweepTopology.h"
+#include "HexSweepSolidReader.h"
+
+#include "../Core/SolidShapes.h"
+
+#include <vtkAppendFilter.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCleanPolyData.h>
+#include <vtkCubeSource.h>
+#include <vtkCylinderSource.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkDataSetTriangleFilter.h>
+#include <vtkDoubleArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkIntArray.h>
+#include <vtkLongLongArray.h>
+#include <vtkMassProperties.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkStripper.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <set>
+
+namespace
+{
+using hexsweep::findSweepTopology;
+using hexsweep::Index;
+using hexsweep::makeSolidSurface;
+using hexsweep::readSolid;
+using hexsweep::SolidData;
+using hexsweep::SolidSurface;
+using hexsweep::SweepSide;
+using hexsweep::SweepTopology;
+using test::expectInvalid;
+using Ids = std::vector<Index>;
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+Grid readGrid(const std::string& file)
+{
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((std::string(HEXSWEEP_DATA_DIR "/solids/") + file + ".vtu").c_str());
+  reader->Update();
+  EXPECT_GT(reader->GetOutput()->GetNumberOfCells(), 0) << file;
+  return reader->GetOutput();
+}
+
+/// What case.json says of a side.
+struct KnownSide
+{
+  Ids faceIds;
+  std::size_t sourceNodes;
+  std::size_t targetNodes;
+};
+
+struct KnownSolid
+{
+  std::string name;
+  Index source;
+  Index target;
+  Index points;
+  double volume;
+  std::vector<KnownSide> sides;
+};
+
+std::vector<KnownSolid> knownSolids()
+{
+  return {
+    { "bracket", 26, 36, 4318, 50679.69289690332,
+      { { { 25, 27, 28, 29, 30, 31, 32, 33, 34, 35, 37, 38, 39, 40, 41, 42 }, 114, 123 },
+        { { 19, 20 }, 16, 21 }, { { 23, 24 }, 16, 21 } } },
+    { "elbow", 1, 4, 2619, 68395.33254599791, { { { 2 }, 42, 40 }, { { 3 }, 28, 26 } } },
+    { "flange", 3, 2, 4153, 92227.36378867207,
+      { { { 1 }, 104, 105 }, { { 8 }, 34, 34 }, { { 4 }, 14, 15 }, { { 5 }, 14, 15 },
+        { { 6 }, 14, 15 }, { { 7 }, 14, 15 }, { { 9 }, 14, 15 }, { { 10 }, 14, 15 } } },
+    { "loft", 9, 11, 6192, 43454.817111882534,
+      { { { 8, 10, 12, 13 }, 128, 68 }, { { 7 }, 44, 20 } } },
+    { "wing", 3, 4, 7692, 113618.89429478726, { { { 1, 2 }, 82, 53 } } },
+  };
+}
+
+double volumeOf(const SolidSurface& solid)
+{
+  double volume = 0.0;
+  const Eigen::RowVector3d origin = solid.points.row(0);
+  for (Index t = 0; t < solid.triangles.rows(); ++t)
+  {
+    Eigen::Matrix3d corners;
+    for (int c = 0; c < 3; ++c)
+    {
+      corners.row(c) = solid.points.row(solid.triangles(t, c)) - origin;
+    }
+    volume += corners.determinant() / 6.0;
+  }
+  return volume;
+}
+
+/// A box of x * y * z hexahedra of edge 1.
+Grid hexBox(int x, int y, int z)
+{
+  Grid grid = Grid::New();
+  vtkNew<vtkPoints> points;
+  for (int k = 0; k <= z; ++k)
+  {
+    for (int j = 0; j <= y; ++j)
+    {
+      for (int i = 0; i <= x; ++i)
+      {
+        points->InsertNextPoint(i, j, k);
+      }
+    }
+  }
+  grid->SetPoints(points);
+  grid->Allocate();
+  const auto id = [&](int i, int j, int k) -> vtkIdType { return (k * (y + 1) + j) * (x + 1) + i; };
+  for (int k = 0; k < z; ++k)
+  {
+    for (int j = 0; j < y; ++j)
+    {
+      for (int i = 0; i < x; ++i)
+      {
+        const vtkIdType ids[8] = { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k),
+          id(i, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1),
+          id(i, j + 1, k + 1) };
+        grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
+      }
+    }
+  }
+  return grid;
+}
+
+void addIds(vtkDataSet* data, const char* name, const std::vector<int>& values)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  for (const int value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  data->GetCellData()->AddArray(array);
+}
+
+/// A mesh as gmsh writes it: vertices, lines, triangles and tetrahedra with CellEntityIds. Leaves
+/// out `missing` triangles.
+Grid gmshBox(int missing = 0)
+{
+  vtkNew<vtkDataSetTriangleFilter> tetrahedra;
+  tetrahedra->SetInputData(hexBox(3, 2, 2));
+  tetrahedra->Update();
+  vtkUnstructuredGrid* volume = tetrahedra->GetOutput();
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(volume);
+  surface->PassThroughPointIdsOn();
+  surface->Update();
+  vtkPolyData* boundary = surface->GetOutput();
+  vtkDataArray* pointIds = boundary->GetPointData()->GetArray("vtkOriginalPointIds");
+  Grid grid = Grid::New();
+  grid->SetPoints(volume->GetPoints());
+  grid->Allocate();
+  std::vector<int> ids;
+  const vtkIdType two[2] = { 0, 1 };
+  grid->InsertNextCell(VTK_VERTEX, 1, two);
+  grid->InsertNextCell(VTK_LINE, 2, two);
+  ids.assign(2, 1);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType c = missing; c < boundary->GetNumberOfCells(); ++c)
+  {
+    boundary->GetCellPoints(c, points);
+    double bounds[6];
+    boundary->GetCellBounds(c, bounds);
+    for (vtkIdType i = 0; i < 3; ++i)
+    {
+      points->SetId(i, static_cast<vtkIdType>(pointIds->GetTuple1(points->GetId(i))));
+    }
+    grid->InsertNextCell(VTK_TRIANGLE, points);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (bounds[2 * axis] == bounds[2 * axis + 1])
+      {
+        ids.push_back(10 * static_cast<int>(bounds[2 * axis]) + 1 + axis);
+      }
+    }
+  }
+  for (vtkIdType c = 0; c < volume->GetNumberOfCells(); ++c)
+  {
+    volume->GetCellPoints(c, points);
+    grid->InsertNextCell(VTK_TETRA, points);
+    ids.push_back(1);
+  }
+  addIds(grid, "CellEntityIds", ids);
+  return grid;
+}
+}
+
+TEST(SolidReader, TheSolidsComeApartAsTheirCasesSay)
+{
+  for (const KnownSolid& known : knownSolids())
+  {
+    SCOPED_TRACE(known.name);
+    const Grid grid = readGrid(known.name + "/solid");
+    const SolidData data = readSolid(grid);
+    EXPECT_EQ(data.faceIdArray, "FaceId");
+    EXPECT_FALSE(data.fromVolume);
+    EXPECT_EQ(data.quads.rows(), 0);
+    const SolidSurface solid = makeSolidSurface(data);
+    EXPECT_EQ(solid.mergedPoints + solid.turnedTriangles + solid.collapsedTriangles, 0);
+    EXPECT_EQ(solid.points.rows(), known.points);
+    EXPECT_NEAR(volumeOf(solid) / known.volume, 1.0, 1e-9);
+
+    for (const bool exchanged : { false, true })
+    {
+      const Ids first = { exchanged ? known.target : known.source };
+      const Ids last = { exchanged ? known.source : known.target };
+      const SweepTopology topology = findSweepTopology(solid, first, last);
+      ASSERT_EQ(topology.sides.size(), known.sides.size());
+      EXPECT_EQ(topology.sides[0].faceIds, known.sides[0].faceIds);
+      std::multiset<Ids> found;
+      for (const SweepSide& side : topology.sides)
+      {
+        found.insert(side.faceIds);
+        for (const KnownSide& own : known.sides)
+        {
+          if (own.faceIds == side.faceIds)
+          {
+            EXPECT_EQ(side.sourceLoop.size(), exchanged ? own.targetNodes : own.sourceNodes);
+            EXPECT_EQ(side.targetLoop.size(), exchanged ? own.sourceNodes : own.targetNodes);
+          }
+        }
+      }
+      std::multiset<Ids> expected;
+      for (const KnownSide& own : known.sides)
+      {
+        expected.insert(own.faceIds);
+      }
+      EXPECT_EQ(found, expected);
+      EXPECT_EQ(hexsweep::findTargetFaces(solid, first), last);
+    }
+  }
+}
+
+TEST(SolidReader, TheSolidsAsSoupInSinglePrecision)
+{
+  for (const KnownSolid& known : knownSolids())
+  {
+    SCOPED_TRACE(known.name);
+    SolidData data = readSolid(readGrid(known.name + "/solid"));
+    data.points = data.points.cast<float>().cast<double>().eval();
+    const SolidSurface solid = makeSolidSurface(test::soup(data));
+    EXPECT_EQ(solid.points.rows(), known.points);
+    EXPECT_EQ(findSweepTopology(solid, { known.source }).targetFaceIds, Ids{ known.target });
+  }
+}
+
+TEST(SolidReader, FacesByAngleLieBetweenTheFeatureEdgesOfVTK)
+{
+  for (const KnownSolid& known : knownSolids())
+  {
+    SCOPED_TRACE(known.name);
+    const Grid grid = readGrid(known.name + "/solid");
+    SolidData data = readSolid(grid);
+    data.faceIds.clear();
+    hexsweep::SolidOptions options;
+    options.featureAngle = 35.0 * hexsweep::Pi / 180.0;
+    const SolidSurface solid = makeSolidSurface(data, options);
+
+    vtkNew<vtkDataSetSurfaceFilter> surface;
+    surface->SetInputData(grid);
+    vtkNew<vtkFeatureEdges> features;
+    features->SetInputConnection(surface->GetOutputPort());
+    features->SetFeatureAngle(35.0);
+    features->BoundaryEdgesOff();
+    features->NonManifoldEdgesOff();
+    features->FeatureEdgesOn();
+    features->Update();
+    using Place = std::array<double, 3>;
+    std::set<std::pair<Place, Place>> sharp;
+    for (vtkIdType c = 0; c < features->GetOutput()->GetNumberOfCells(); ++c)
+    {
+      vtkNew<vtkIdList> ends;
+      features->GetOutput()->GetCellPoints(c, ends);
+      Place a;
+      Place b;
+      features->GetOutput()->GetPoint(ends->GetId(0), a.data());
+      features->GetOutput()->GetPoint(ends->GetId(1), b.data());
+      sharp.emplace(std::min(a, b), std::max(a, b));
+    }
+    EXPECT_GT(sharp.size(), 20u);
+    // The faces that are left when triangles are joined over all other edges, one seed at a time.
+    std::map<std::pair<Place, Place>, std::vector<Index>> triangles;
+    const auto edgeOf = [&](Index t, Index c) {
+      Place a;
+      Place b;
+      for (int i = 0; i < 3; ++i)
+      {
+        a[static_cast<std::size_t>(i)] = solid.points(solid.triangles(t, c), i);
+        b[static_cast<std::size_t>(i)] = solid.points(solid.triangles(t, (c + 1) % 3), i);
+      }
+      return std::make_pair(std::min(a, b), std::max(a, b));
+    };
+    for (Index t = 0; t < solid.triangles.rows(); ++t)
+    {
+      for (Index c = 0; c < 3; ++c)
+      {
+        triangles[edgeOf(t, c)].push_back(t);
+      }
+    }
+    Ids faces(solid.faceIds.size(), -1);
+    Index next = 0;
+    for (Index seed = 0; seed < solid.triangles.rows(); ++seed)
+    {
+      if (faces[static_cast<std::size_t>(seed)] >= 0)
+      {
+        continue;
+      }
+      Ids queue = { seed };
+      faces[static_cast<std::size_t>(seed)] = next;
+      for (std::size_t i = 0; i < queue.size(); ++i)
+      {
+        for (Index c = 0; c < 3; ++c)
+        {
+          const auto edge = edgeOf(queue[i], c);
+          for (const Index other : triangles[edge])
+          {
+            if (!sharp.count(edge) && faces[static_cast<std::size_t>(other)] < 0)
+            {
+              faces[static_cast<std::size_t>(other)] = next;
+              queue.push_back(other);
+            }
+          }
+        }
+      }
+      ++next;
+    }
+    EXPECT_EQ(solid.faceIds, faces);
+    EXPECT_GE(next, 3);
+  }
+}
+
+TEST(SolidReader, PolygonsQuadsAndStrips)
+{
+  vtkNew<vtkCylinderSource> cylinder;
+  cylinder->SetResolution(12);
+  cylinder->SetRadius(1.0);
+  cylinder->SetHeight(2.0);
+  cylinder->Update();
+  const SolidData data = readSolid(cylinder->GetOutput());
+  EXPECT_EQ(data.quads.rows(), 12);
+  EXPECT_TRUE(data.faceIds.empty());
+  EXPECT_EQ(data.faceIdArray, "");
+  const SolidSurface solid = makeSolidSurface(data);
+  // Source and output of VTK are single precision.
+  EXPECT_NEAR(volumeOf(solid), 12.0 * std::sin(hexsweep::Pi / 6.0), 1e-5);
+  EXPECT_EQ(findSweepTopology(solid, { solid.faceIds.back() }).sides.size(), 1u);
+
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(cube->GetOutputPort());
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(triangles->GetOutputPort());
+  vtkNew<vtkStripper> strips;
+  strips->SetInputConnection(clean->GetOutputPort());
+  strips->Update();
+  ASSERT_GT(strips->GetOutput()->GetNumberOfStrips(), 0);
+  EXPECT_NEAR(volumeOf(makeSolidSurface(readSolid(strips->GetOutput()))), 1.0, 1e-12);
+}
+
+TEST(SolidReader, TheVolumeOfVTK)
+{
+  for (const KnownSolid& known : knownSolids())
+  {
+    vtkNew<vtkDataSetSurfaceFilter> surface;
+    surface->SetInputData(readGrid(known.name + "/solid"));
+    vtkNew<vtkMassProperties> mass;
+    mass->SetInputConnection(surface->GetOutputPort());
+    mass->Update();
+    EXPECT_NEAR(
+      volumeOf(makeSolidSurface(readSolid(surface->GetOutput()))) / mass->GetVolume(), 1.0, 1e-6);
+  }
+}
+
+TEST(SolidReader, QuadsOfAFace)
+{
+  // A cube with a point of its own at every corner of every face, and its ids.
+  vtkNew<vtkCubeSource> source;
+  source->SetXLength(2.0);
+  source->Update();
+  vtkPolyData* cube = source->GetOutput();
+  addIds(cube, "FaceId", { 1, 2, 3, 4, 5, 6 });
+  // One face turned over.
+  vtkNew<vtkIdList> corners;
+  cube->GetCellPoints(5, corners);
+  const vtkIdType turned[4] = { corners->GetId(3), corners->GetId(2), corners->GetId(1),
+    corners->GetId(0) };
+  cube->GetPolys()->ReplaceCellAtId(5, 4, turned);
+
+  const SolidData data = readSolid(cube);
+  const SolidSurface solid = makeSolidSurface(data);
+  EXPECT_EQ(solid.mergedPoints, 16);
+  EXPECT_EQ(solid.turnedTriangles, 2);
+  for (const Ids& faces : { Ids{ 6 }, Ids{ 1, 6 }, Ids{ 1, 2, 3, 4, 5, 6 } })
+  {
+    const auto quads = hexsweep::quadsOfFaces(data, solid, faces);
+    ASSERT_TRUE(quads);
+    EXPECT_EQ(quads->mesh.quads.rows(), static_cast<Index>(faces.size()));
+    EXPECT_EQ(quads->mesh.points.rows(), faces.size() == 1 ? 4 : faces.size() == 2 ? 6 : 8);
+    for (std::size_t p = 0; p < quads->pointIds.size(); ++p)
+    {
+      Eigen::RowVector3d place;
+      cube->GetPoint(quads->pointIds[p], place.data());
+      EXPECT_EQ(place, quads->mesh.points.row(static_cast<Index>(p)));
+    }
+    for (Index q = 0; q < quads->mesh.quads.rows(); ++q)
+    {
+      EXPECT_EQ(
+        quads->cellIds[static_cast<std::size_t>(q)], faces[static_cast<std::size_t>(q)] - 1);
+      Eigen::Matrix<double, 4, 3> place;
+      for (int c = 0; c < 4; ++c)
+      {
+        place.row(c) = quads->mesh.points.row(quads->mesh.quads(q, c));
+      }
+      // A rectangle, seen from outside: the normal leads away from the middle of the cube.
+      EXPECT_EQ(place.row(0) + place.row(2), place.row(1) + place.row(3));
+      const Eigen::RowVector3d normal = Eigen::RowVector3d(place.row(1) - place.row(0))
+                                          .cross(Eigen::RowVector3d(place.row(2) - place.row(0)));
+      EXPECT_GT(normal.dot(place.colwise().mean()), 0.1);
+    }
+    EXPECT_NO_THROW(
+      hexsweep::checkSurface(quads->mesh.quads, quads->mesh.points.rows(), "quads of the faces"));
+  }
+
+  // A triangle among the cells of a face.
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(cube);
+  triangles->Update();
+  const SolidData other = readSolid(triangles->GetOutput());
+  EXPECT_FALSE(hexsweep::quadsOfFaces(other, makeSolidSurface(other), { 6 }));
+}
+
+TEST(SolidReader, SurfaceCellsBesideVolumesKeepTheirIds)
+{
+  const Grid grid = gmshBox();
+  const SolidData data = readSolid(grid);
+  EXPECT_FALSE(data.fromVolume);
+  EXPECT_EQ(data.faceIdArray, "CellEntityIds");
+  EXPECT_EQ(data.ignoredCells, 2);
+  EXPECT_EQ(data.points.rows(), grid->GetNumberOfPoints());
+  const SolidSurface solid = makeSolidSurface(data);
+  EXPECT_NEAR(volumeOf(solid), 12.0, 1e-12);
+  const SweepTopology topology = findSweepTopology(solid, { 3 });
+  EXPECT_EQ(topology.targetFaceIds, Ids{ 23 });
+  EXPECT_EQ(topology.sides[0].faceIds, (Ids{ 1, 2, 22, 31 }));
+  for (Index t = 0; t < solid.triangles.rows(); ++t)
+  {
+    const Index cell = solid.cellIds[static_cast<std::size_t>(t)];
+    EXPECT_EQ(grid->GetCellType(cell), VTK_TRIANGLE);
+  }
+}
+
+TEST(SolidReader, VolumesGiveTheirBoundary)
+{
+  // The surface cells do not close: they are left alone.
+  const SolidData open = readSolid(gmshBox(1));
+  EXPECT_TRUE(open.fromVolume);
+  EXPECT_TRUE(open.faceIds.empty());
+  EXPECT_GT(open.ignoredSurfaces, 10);
+  EXPECT_NEAR(volumeOf(makeSolidSurface(open)), 12.0, 1e-12);
+
+  const Grid hexes = hexBox(3, 2, 2);
+  const SolidData data = readSolid(hexes);
+  EXPECT_TRUE(data.fromVolume);
+  EXPECT_EQ(data.quads.rows(), 2 * (6 + 6 + 4));
+  const SolidSurface solid = makeSolidSurface(data);
+  EXPECT_NEAR(volumeOf(solid), 12.0, 1e-12);
+  EXPECT_EQ(std::set<Index>(solid.faceIds.begin(), solid.faceIds.end()).size(), 6u);
+  for (Index t = 0; t < solid.triangles.rows(); ++t)
+  {
+    // Points and cells of the mesh, not of its boundary.
+    vtkNew<vtkIdList> corners;
+    hexes->GetCellPoints(solid.cellIds[static_cast<std::size_t>(t)], corners);
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index p = solid.pointRows[static_cast<std::size_t>(solid.triangles(t, c))];
+      EXPECT_GE(corners->IsId(p), 0);
+    }
+  }
+  const auto quads = hexsweep::quadsOfFaces(data, solid, { solid.faceIds[0] });
+  ASSERT_TRUE(quads);
+  EXPECT_GE(quads->mesh.quads.rows(), 4);
+}
+
+TEST(SolidReader, WhichArrayHasTheFaceIds)
+{
+  vtkNew<vtkCubeSource> source;
+  source->Update();
+  vtkPolyData* cube = source->GetOutput();
+  addIds(cube, "CellEntityIds", { 1, 2, 3, 4, 5, 6 });
+  EXPECT_EQ(readSolid(cube).faceIds.front(), 1);
+  addIds(cube, "FaceId", { 11, 12, 13, 14, 15, 16 });
+  EXPECT_EQ(readSolid(cube).faceIds.front(), 11);
+  addIds(cube, "Other", { 21, 22, 23, 24, 25, 26 });
+  EXPECT_EQ(
+    readSolid(cube, "Other").faceIds, (Ids{ 21, 21, 22, 22, 23, 23, 24, 24, 25, 25, 26, 26 }));
+  EXPECT_EQ(readSolid(cube, "Other").faceIdArray, "Other");
+
+  vtkNew<vtkDoubleArray> real;
+  real->SetName("Real");
+  vtkNew<vtkLongLongArray> large;
+  large->SetName("Large");
+  for (int i = 0; i < 6; ++i)
+  {
+    real->InsertNextValue(-3.0 + i);
+    large->InsertNextValue((1LL << 60) + i);
+  }
+  cube->GetCellData()->AddArray(real);
+  cube->GetCellData()->AddArray(large);
+  EXPECT_EQ(readSolid(cube, "Real").faceIds.front(), -3);
+  EXPECT_EQ(readSolid(cube, "Large").faceIds.back(), (1LL << 60) + 5);
+  real->SetValue(4, 0.5);
+  expectInvalid([&] { readSolid(cube, "Real"); }, "not whole: 0.5 in cell 4");
+  real->SetValue(4, vtkMath::Nan());
+  expectInvalid([&] { readSolid(cube, "Real"); }, "not whole: nan in cell 4");
+}
+
+TEST(SolidReader, ArraysThatAreNoFaceIds)
+{
+  vtkNew<vtkCubeSource> source;
+  source->Update();
+  vtkPolyData* cube = source->GetOutput();
+  expectInvalid([&] { readSolid(cube, "Other"); }, "no cell array \"Other\"");
+  expectInvalid([&] { readSolid(cube, "Other"); }, "it has no cell arrays");
+  expectInvalid([&] { readSolid(cube, "Normals"); }, "are a point array");
+  vtkNew<vtkStringArray> text;
+  text->SetName("Text");
+  text->SetNumberOfValues(6);
+  cube->GetCellData()->AddArray(text);
+  expectInvalid([&] { readSolid(cube, "Text"); }, "are no numbers");
+  expectInvalid([&] { readSolid(cube, "Other"); }, "its cell arrays are: Text");
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("Vectors");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(6);
+  cube->GetCellData()->AddArray(vectors);
+  expectInvalid([&] { readSolid(cube, "Vectors"); }, "have 3 components");
+  addIds(cube, "FaceId", { 1, 2, 3 });
+  expectInvalid([&] { readSolid(cube); }, "have 3 entries for 6 cells");
+  vtkNew<vtkIntArray> points;
+  points->SetName("FaceId");
+  points->SetNumberOfTuples(cube->GetNumberOfPoints());
+  cube->GetCellData()->RemoveArray("FaceId");
+  cube->GetPointData()->AddArray(points);
+  expectInvalid([&] { readSolid(cube); }, "\"FaceId\" are a point array");
+}
+
+TEST(SolidReader, MissingOrEmpty)
+{
+  expectInvalid([] { readSolid(nullptr); }, "the solid is missing");
+  expectInvalid([] { readSolid(vtkSmartPointer<vtkPolyData>::New()); }, "the solid is empty");
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(1, 0, 0);
+  Grid lines = Grid::New();
+  lines->SetPoints(points);
+  const vtkIdType ids[2] = { 0, 1 };
+  lines->InsertNextCell(VTK_LINE, 2, ids);
+  expectInvalid([&] { readSolid(lines); }, "the solid is empty (no surface cells)");
+}

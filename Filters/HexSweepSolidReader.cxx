@@ -2,33 +2,22 @@
 #include "HexSweepSolidReader.h"
 
 #include "HexSweepBridge.h"
+#include "HexSweepSolidBoundary.h"
 
 #include "Core/Describe.h"
-#include "Core/FaceSides.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkCellTypes.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
-#include <vtkDataSetSurfaceFilter.h>
-#include <vtkGenericCell.h>
 #include <vtkIdList.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPointSet.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace hexsweep
@@ -37,142 +26,15 @@ namespace
 {
 const char* const What = "solid";
 
-/// Surface cells on the points of a data set, and the cells there that they are (part of).
-struct Surface
-{
-  vtkSmartPointer<vtkDataSet> cells;
-  std::vector<Index> cellIds; ///< empty: their own
-};
-
-/// Dimension of each type of cell in a data set.
-class CellDimensions
-{
-public:
-  explicit CellDimensions(vtkDataSet* data)
-    : Data(data)
-  {
-  }
-  int of(vtkIdType cell)
-  {
-    const int type = this->Data->GetCellType(cell);
-    const auto known = this->OfType.find(type);
-    if (known != this->OfType.end())
-    {
-      return known->second;
-    }
-    this->Generic->SetCellType(type);
-    return this->OfType[type] = type == VTK_EMPTY_CELL ? 0 : this->Generic->GetCellDimension();
-  }
-
-private:
-  vtkDataSet* Data;
-  vtkNew<vtkGenericCell> Generic;
-  std::map<int, int> OfType;
-};
-
-vtkSmartPointer<vtkPoints> pointsOf(vtkDataSet* data)
-{
-  if (vtkPointSet* pointSet = vtkPointSet::SafeDownCast(data))
-  {
-    return pointSet->GetPoints();
-  }
-  return vtkSmartPointer<vtkPoints>::Take(
-    newPoints(readPoints(data), vtkAlgorithm::DOUBLE_PRECISION));
-}
-
-/// Adds cells of another data set on the same points, one by one.
-class SurfaceBuilder
-{
-public:
-  explicit SurfaceBuilder(vtkDataSet* data)
-    : Grid(vtkSmartPointer<vtkUnstructuredGrid>::New())
-  {
-    this->Grid->SetPoints(pointsOf(data));
-    this->Grid->Allocate();
-  }
-  void add(int type, vtkIdList* points, vtkIdType cellId)
-  {
-    this->Grid->InsertNextCell(type, points);
-    this->CellIds.push_back(cellId);
-  }
-  Surface take() { return { this->Grid, std::move(this->CellIds) }; }
-
-private:
-  vtkSmartPointer<vtkUnstructuredGrid> Grid;
-  std::vector<Index> CellIds;
-};
-
-bool isGhost(vtkDataSet* data, vtkIdType cell)
-{
-  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
-  return ghosts && ghosts->GetValue(cell) != 0;
-}
-
-Surface surfaceCells(vtkDataSet* data, CellDimensions& dimensions)
-{
-  SurfaceBuilder builder(data);
-  vtkNew<vtkIdList> points;
-  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
-  {
-    if (dimensions.of(c) == 2 && !isGhost(data, c))
-    {
-      data->GetCellPoints(c, points);
-      builder.add(data->GetCellType(c), points, c);
-    }
-  }
-  return builder.take();
-}
-
-/// Sides of volume cells that no other one shares; of curved cells the corners only.
-Surface volumeBoundary(vtkDataSet* data, CellDimensions& dimensions)
-{
-  vtkNew<vtkDataSetSurfaceFilter> filter;
-  filter->SetInputData(data);
-  filter->DelegationOff();
-  filter->PassThroughCellIdsOn();
-  filter->PassThroughPointIdsOn();
-  filter->SetNonlinearSubdivisionLevel(0);
-  filter->Update();
-  vtkPolyData* boundary = filter->GetOutput();
-  auto* cellIds = vtkIdTypeArray::SafeDownCast(
-    boundary->GetCellData()->GetArray(filter->GetOriginalCellIdsName()));
-  auto* pointIds = vtkIdTypeArray::SafeDownCast(
-    boundary->GetPointData()->GetArray(filter->GetOriginalPointIdsName()));
-  SurfaceBuilder builder(data);
-  vtkNew<vtkIdList> points;
-  for (vtkIdType c = 0; cellIds && pointIds && c < boundary->GetNumberOfCells(); ++c)
-  {
-    const vtkIdType cell = cellIds->GetValue(c);
-    if (dimensions.of(cell) == 3)
-    {
-      boundary->GetCellPoints(c, points);
-      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
-      {
-        points->SetId(i, pointIds->GetValue(points->GetId(i)));
-      }
-      builder.add(boundary->GetCellType(c), points, cell);
-    }
-  }
-  return builder.take();
-}
-
-bool isClosed(const SurfaceInput& surface)
-{
-  bool closed = true;
-  forEachEdge(sortedSides(surface.faces, surface.points.rows()),
-    [&](std::size_t first, std::size_t last) { closed = closed && last - first == 2; });
-  return closed;
-}
-
 bool isQuad(int type, vtkIdType numberOfPoints)
 {
   return type == VTK_QUAD || type == VTK_PIXEL || (type == VTK_POLYGON && numberOfPoints == 4);
 }
 
 /// Takes over triangles and quads of a surface.
-void fill(SolidData& solid, const Surface& surface, SurfaceInput&& input)
+void fill(SolidData& solid, const BoundaryCells& surface, const SurfaceInput& input)
 {
-  solid.points = std::move(input.points);
+  solid.points = input.points;
   solid.triangles = input.faces;
   std::vector<Index> corners;
   vtkNew<vtkIdList> points;
@@ -311,54 +173,18 @@ std::array<Index, 4> joinHalves(
   return quad;
 }
 
-bool hasVolumes(vtkDataSet* data, CellDimensions& dimensions)
-{
-  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
-  {
-    if (dimensions.of(c) == 3 && !isGhost(data, c))
-    {
-      return true;
-    }
-  }
-  return false;
-}
 }
 
 SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray)
 {
+  const bool isVolume = data && hasVolumes(data);
+  const BoundaryCells boundary = isVolume ? volumeBoundary(data) : BoundaryCells{ data, {} };
+  const SurfaceInput input = readTriangles(boundary.cells, What);
   SolidData solid;
-  CellDimensions dimensions(data);
-  if (!data || !hasVolumes(data, dimensions))
-  {
-    SurfaceInput input = readTriangles(data, What);
-    solid.ignoredCells = input.ignoredCells;
-    fill(solid, { data, {} }, std::move(input));
-  }
-  else
-  {
-    Index surfaces = 0;
-    for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
-    {
-      solid.ignoredCells += dimensions.of(c) < 2 && !isGhost(data, c) ? 1 : 0;
-      surfaces += dimensions.of(c) == 2 && !isGhost(data, c) ? 1 : 0;
-    }
-    if (surfaces > 0)
-    {
-      const Surface own = surfaceCells(data, dimensions);
-      SurfaceInput input = readTriangles(own.cells, What);
-      if (isClosed(input))
-      {
-        fill(solid, own, std::move(input));
-      }
-    }
-    if (solid.triangles.rows() == 0)
-    {
-      const Surface boundary = volumeBoundary(data, dimensions);
-      fill(solid, boundary, readTriangles(boundary.cells, What));
-      solid.fromVolume = true;
-      solid.ignoredSurfaces = surfaces;
-    }
-  }
+  solid.fromVolume = boundary.fromVolume;
+  solid.ignoredCells = boundary.ignoredCells + input.ignoredCells;
+  solid.ignoredSurfaces = boundary.ignoredSurfaces;
+  fill(solid, boundary, input);
   vtkAbstractArray* ids = findFaceIds(data, faceIdArray);
   if (ids && !solid.fromVolume)
   {

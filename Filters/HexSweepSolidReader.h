@@ -34,8 +34,9 @@ struct SolidData : SolidInput
  * Reads the boundary of a solid.
  *
  * Polygons, quads and strips are triangulated. Of a mesh with volume cells the surface cells are
- * taken, with their ids, where they form a closed surface, otherwise the boundary faces of the
- * volume cells, which have no ids.
+ * taken, with their ids: those on the boundary of the volume cells, if they cover it, else all of
+ * them, if they form a closed surface. Otherwise the boundary of the volume cells is taken, which
+ * has no ids.
  *
  * @param data        nullptr counts as missing.
  * @param faceIdArray cell array with the face ids; empty: `FaceId`, else `CellEntityIds`, else

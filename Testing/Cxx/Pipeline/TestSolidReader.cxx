@@ -466,6 +466,89 @@ TEST(SolidReader, SurfaceCellsBesideVolumesKeepTheirIds)
   }
 }
 
+TEST(SolidReader, SurfaceCellsBetweenVolumesAreLeftOut)
+{
+  // A wall across the box, as between two regions of a mesh.
+  const Grid grid = hexBox(4, 2, 2);
+  Grid mesh = Grid::New();
+  mesh->SetPoints(grid->GetPoints());
+  mesh->Allocate();
+  std::vector<int> ids;
+  const auto add = [&](const std::vector<vtkIdType>& corners, int id) {
+    mesh->InsertNextCell(VTK_QUAD, 4, corners.data());
+    ids.push_back(id);
+  };
+  const auto point = [](int i, int j, int k) -> vtkIdType { return (k * 3 + j) * 5 + i; };
+  for (int a = 0; a < 2; ++a)
+  {
+    for (int b = 0; b < 2; ++b)
+    {
+      for (const int i : { 0, 2, 4 })
+      {
+        add({ point(i, a, b), point(i, a + 1, b), point(i, a + 1, b + 1), point(i, a, b + 1) },
+          10 + i);
+      }
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      for (const int j : { 0, 2 })
+      {
+        add({ point(i, j, a), point(i + 1, j, a), point(i + 1, j, a + 1), point(i, j, a + 1) },
+          20 + j);
+        add({ point(i, a, j), point(i + 1, a, j), point(i + 1, a + 1, j), point(i, a + 1, j) },
+          30 + j);
+      }
+    }
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    grid->GetCellPoints(c, corners);
+    mesh->InsertNextCell(VTK_HEXAHEDRON, corners);
+    ids.push_back(99);
+  }
+  addIds(mesh, "CellEntityIds", ids);
+
+  const SolidData data = readSolid(mesh);
+  EXPECT_FALSE(data.fromVolume);
+  EXPECT_EQ(data.ignoredSurfaces, 4);
+  EXPECT_EQ(data.quads.rows(), 40);
+  const SolidSurface solid = makeSolidSurface(data);
+  EXPECT_NEAR(volumeOf(solid), 16.0, 1e-12);
+  const SweepTopology topology = findSweepTopology(solid, { 10 });
+  EXPECT_EQ(topology.targetFaceIds, Ids{ 14 });
+  EXPECT_EQ(topology.sides[0].faceIds, (Ids{ 20, 22, 30, 32 }));
+  const auto quads = hexsweep::quadsOfFaces(data, solid, { 10 });
+  ASSERT_TRUE(quads);
+  EXPECT_EQ(quads->mesh.quads.rows(), 4);
+}
+
+TEST(SolidReader, AClosedSurfaceThatIsNotTheVolumesOwn)
+{
+  // Tetrahedra beside the coarse surface they were made from.
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(2.0);
+  cube->SetYLength(2.0);
+  cube->SetZLength(2.0);
+  cube->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(cube->GetOutputPort());
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(triangles->GetOutputPort());
+  clean->Update();
+  addIds(clean->GetOutput(), "FaceId", { 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6 });
+  const Grid hexes = hexBox(2, 2, 2);
+  addIds(hexes, "FaceId", std::vector<int>(8, 7));
+  vtkNew<vtkAppendFilter> both;
+  both->AddInputData(clean->GetOutput());
+  both->AddInputData(hexes);
+  both->Update();
+  const SolidData data = readSolid(both->GetOutput());
+  EXPECT_FALSE(data.fromVolume);
+  EXPECT_EQ(data.triangles.rows(), 12);
+  EXPECT_EQ(std::set<Index>(data.faceIds.begin(), data.faceIds.end()).size(), 6u);
+}
+
 TEST(SolidReader, VolumesGiveTheirBoundary)
 {
   // The surface cells do not close: they are left alone.

@@ -75,6 +75,23 @@ void joinEqualPoints(const PointsRef& points, const std::vector<Index>& ids, Dis
   }
 }
 
+void joinEndsOfEmptyEdges(
+  const PointsRef& points, const TrianglesRef& triangles, DisjointSets& joined)
+{
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index a = triangles(t, c);
+      const Index b = triangles(t, (c + 1) % 3);
+      if (a != b && points.row(a) == points.row(b))
+      {
+        joined.join(a, b);
+      }
+    }
+  }
+}
+
 /// Length of the shortest edge at each point, edges without length left out.
 std::vector<double> shortestEdges(const PointsRef& points, const std::vector<FaceSide>& sides)
 {
@@ -133,6 +150,7 @@ std::vector<Index> weldOpenEdges(
   const PointsRef& points, const TrianglesRef& triangles, double matchTolerance)
 {
   DisjointSets joined(points.rows());
+  joinEndsOfEmptyEdges(points, triangles, joined);
   std::vector<Index> open = boundaryPoints(sortedSides(triangles, points.rows()));
   if (!open.empty())
   {

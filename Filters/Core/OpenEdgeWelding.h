@@ -13,8 +13,8 @@
 namespace hexsweep
 {
 /**
- * Which points coincide. Only points on edges with one triangle are looked at, so that surfaces
- * that touch without being joined stay apart.
+ * Which points coincide. Only points on edges with one triangle are looked at, and the ends of
+ * edges without length, so that surfaces that touch without being joined stay apart.
  *
  * Points that are equal to the last bit are joined first, then those on edges that are still open
  * and nearer than the tolerance. Costs O(n) where there is nothing to join, O(n log n) otherwise.

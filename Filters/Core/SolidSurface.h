@@ -57,7 +57,8 @@ struct SolidSurface
  * Merges coincident points, leaves out collapsed triangles, turns the others outward and checks
  * that they bound a solid.
  *
- * Points are merged along open edges only, so that a solid that touches itself stays as it is.
+ * Points are merged along open edges and edges without length only, so that a solid that touches
+ * itself stays as it is.
  * Costs O(n log n).
  *
  * @throw InvalidInput: no triangles; id lists of the wrong length; a point that does not exist or

@@ -174,6 +174,26 @@ TEST(SolidSurface, CollapsedTrianglesAreLeftOutAndCounted)
   EXPECT_EQ(solid.points, plain.points);
 }
 
+TEST(SolidSurface, EdgesWithoutLengthAreClosedUp)
+{
+  // A corner that is two points, as at the tip of a cone: one of its triangles goes over to the new
+  // point, and two triangles without area fill the gap between its sides.
+  const SolidInput plain = box(1, 1, 1);
+  SolidInput input = plain;
+  const Index n = plain.points.rows();
+  const Eigen::Matrix<Index, 1, 3> old = plain.triangles.row(0);
+  input.points.conservativeResize(n + 1, 3);
+  input.points.row(n) = plain.points.row(old[0]);
+  input.triangles(0, 0) = n;
+  input = test::withTriangle(input, old[0], old[1], n, plain.faceIds[0]);
+  input = test::withTriangle(input, old[0], n, old[2], plain.faceIds[0]);
+  const SolidSurface solid = makeSolidSurface(input);
+  EXPECT_EQ(solid.collapsedTriangles, 2);
+  EXPECT_EQ(solid.mergedPoints, 1);
+  EXPECT_EQ(solid.triangles, plain.triangles);
+  EXPECT_EQ(solid.points, plain.points);
+}
+
 TEST(SolidSurface, UnusedPointsAreLeftOut)
 {
   SolidInput input = box(1, 1, 1);
@@ -393,9 +413,10 @@ TEST(SolidSurface, NoVolume)
   expectBad(sheet, "are the same triangle");
   sheet.triangles = test::facesOf<Triangles>({ 0, 1, 2, 0, 2, 1 });
   expectBad(sheet, "encloses no volume");
+  // The walls of a flattened box collapse, and its bottom and top come to lie on the same points.
   SolidInput flat = box(2, 2, 1);
   flat.points.col(2).setZero();
-  expectBad(flat, "without area");
+  expectBad(flat, "are the same triangle");
   // Flat, but with an area each: two triangulated squares with different diagonals.
   sheet.points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
   sheet.triangles = test::facesOf<Triangles>({ 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2 });

@@ -53,7 +53,7 @@ LinkingSurface linkingSurface(SolidData data, double matchTolerance, double feat
   surface.quads = std::move(data.quads);
   surface.quadOfTriangle = std::move(data.quadOfTriangle);
   surface.faceIds = data.faceIds.empty()
-    ? facesByFeatureAngle(surface.mesh.points, surface.mesh.triangles, featureAngle)
+    ? facesByFeatureAngle(surface.mesh.points, surface.mesh.triangles, featureAngle).faceOfTriangle
     : std::move(data.faceIds);
   return surface;
 }

@@ -191,7 +191,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   clock.finish("Source quads");
   SolidCageInput cageInput{ solid, topology, std::move(quads.mesh),
     sidePatches(data, solid, topology), {}, this->MatchTolerance,
-    this->OutputPointsPrecision == SINGLE_PRECISION, this->EnsureValid };
+    this->OutputPointsPrecision == SINGLE_PRECISION, this->EnsureValid, this->ImproveQuality };
   cageInput.layers.layers = this->NumberOfLayers;
   cageInput.layers.size = this->LayerSize;
   cageInput.layers.growth = this->GrowthRatio;

@@ -39,7 +39,7 @@ double angleBetweenTriangles(
   return angleBetween(normalOf(points, triangles, first), normalOf(points, triangles, second));
 }
 
-std::vector<Index> facesByFeatureAngle(
+FeatureFaces facesByFeatureAngle(
   const PointsRef& points, const TrianglesRef& triangles, double featureAngle)
 {
   if (!(featureAngle > 0.0 && featureAngle < Pi))
@@ -49,7 +49,7 @@ std::vector<Index> facesByFeatureAngle(
   }
   const Triangles neighbors = triangleNeighbors(triangles);
   DisjointSets regions(triangles.rows());
-  double sharpest = 0.0;
+  FeatureFaces result;
   for (Index t = 0; t < triangles.rows(); ++t)
   {
     for (int c = 0; c < 3; ++c)
@@ -58,7 +58,7 @@ std::vector<Index> facesByFeatureAngle(
       if (other > t)
       {
         const double angle = angleBetweenTriangles(points, triangles, t, other);
-        sharpest = std::max(sharpest, angle);
+        result.sharpest = std::max(result.sharpest, angle);
         if (angle <= featureAngle * (1.0 + AngleSlack))
         {
           regions.join(t, other);
@@ -67,21 +67,13 @@ std::vector<Index> facesByFeatureAngle(
     }
   }
 
-  std::vector<Index> faces(static_cast<std::size_t>(triangles.rows()));
-  Index count = 0;
+  result.faceOfTriangle.resize(static_cast<std::size_t>(triangles.rows()));
   for (Index t = 0; t < triangles.rows(); ++t)
   {
     const Index first = regions.find(t);
-    faces[static_cast<std::size_t>(t)] =
-      first == t ? count++ : faces[static_cast<std::size_t>(first)];
+    result.faceOfTriangle[static_cast<std::size_t>(t)] =
+      first == t ? result.count++ : result.faceOfTriangle[static_cast<std::size_t>(first)];
   }
-  if (count == 1)
-  {
-    throw InvalidInput("the solid has no face ids, and the feature angle of " +
-      describe(featureAngle * 180.0 / Pi) +
-      " degrees leaves it one face: its sharpest edge bends by " + describe(sharpest * 180.0 / Pi) +
-      " degrees. Give each face an id (a cell array), or lower the feature angle below that.");
-  }
-  return faces;
+  return result;
 }
 }

@@ -12,6 +12,14 @@
 
 namespace hexsweep
 {
+struct FeatureFaces
+{
+  /// The face of each triangle, numbered from 0 in the order of their first ones.
+  std::vector<Index> faceOfTriangle;
+  Index count = 0;
+  double sharpest = 0.0; ///< greatest angle at an edge, radians
+};
+
 /**
  * Joins triangles over every edge that is less sharp than an angle.
  *
@@ -19,10 +27,9 @@ namespace hexsweep
  * @param triangles    m x 3, consistently oriented, at most two at an edge, each with an area.
  * @param featureAngle radians, in (0, pi): largest angle between the normals of two triangles that
  *                     are joined over their common edge.
- * @return m entries: the face of each triangle, numbered from 0 in the order of their first ones.
- * @throw InvalidInput when the angle is out of range or all triangles end up in one face.
+ * @throw InvalidInput when the angle is out of range.
  */
-std::vector<Index> facesByFeatureAngle(
+FeatureFaces facesByFeatureAngle(
   const PointsRef& points, const TrianglesRef& triangles, double featureAngle);
 
 /// Angle (radians, in [0, pi]) between the normals of two triangles of consistent orientation.

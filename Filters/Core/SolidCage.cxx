@@ -213,6 +213,7 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   projection.matchTolerance = input.matchTolerance;
   projection.singlePrecision = input.singlePrecision;
   projection.ensureValid = input.ensureValid;
+  projection.improveQuality = input.improveQuality;
   cage.projection = projectSweep(projection, progressPart(progress, 0.4, 1.0));
   cage.mismatch = cage.projection.sourceMismatch;
   stages.finish("Target quads");

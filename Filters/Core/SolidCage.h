@@ -29,6 +29,7 @@ struct SolidCageInput
   double matchTolerance = 1e-6;
   bool singlePrecision = false; ///< see SweepProjectionInput
   bool ensureValid = true;      ///< see SweepProjectionInput
+  bool improveQuality = true;   ///< see SweepProjectionInput
 };
 
 /// A quad of the boundary of the swept mesh.

@@ -173,7 +173,16 @@ SolidSurface makeSolidSurface(const SolidInput& input, const SolidOptions& optio
   if (solid.faceIds.empty())
   {
     solid.facesByAngle = true;
-    solid.faceIds = facesByFeatureAngle(solid.points, solid.triangles, options.featureAngle);
+    FeatureFaces faces = facesByFeatureAngle(solid.points, solid.triangles, options.featureAngle);
+    if (faces.count == 1)
+    {
+      throw InvalidInput("the solid has no face ids, and the feature angle of " +
+        describe(options.featureAngle * 180.0 / Pi) +
+        " degrees leaves it one face: its sharpest edge bends by " +
+        describe(faces.sharpest * 180.0 / Pi) +
+        " degrees. Give each face an id (a cell array), or lower the feature angle below that.");
+    }
+    solid.faceIds = std::move(faces.faceOfTriangle);
   }
   return solid;
 }

@@ -308,7 +308,7 @@ Index TriangleRemesher::splitLong()
       for (const HalfEdge h : { next, mesh.next_halfedge_handle(next) })
       {
         const Edge other = mesh.edge_handle(h);
-        longest = longest && (this->isKept(other) || this->relativeLength(other) <= length);
+        longest = longest && this->relativeLength(other) <= length;
       }
     }
     if (!longest)

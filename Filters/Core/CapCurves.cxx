@@ -17,7 +17,7 @@ namespace
 constexpr double CornerAngle = 30.5 * Pi / 180.0; // a polygon of twelve sides is a circle still
 constexpr double FilletAngle = 50.0 * Pi / 180.0;
 constexpr double LongestReach = 0.125; // of the curve; a circle turns by 45 degrees within it
-constexpr double ShortestEdge = 1e-6;  // of the curve; shorter ones have no direction
+constexpr double ShortestEdge = 1e-2;  // of the reach; shorter ones have no direction
 
 double angleBetween(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b)
 {
@@ -117,12 +117,13 @@ std::vector<std::size_t> cornersOf(const PointsRef& points, const CapCurve& curv
   const ArcLengthChain chain = chainOf(points, curve);
   const double length = chain.length();
   const double window = std::min(reach, LongestReach * length);
+  const double shortest = ShortestEdge * window;
   const bool closed = curve.closed();
   const auto at = [&](double s) {
     return chain.at(closed ? s - length * std::floor(s / length) : s);
   };
   const std::size_t n = curve.points.size();
-  std::vector<bool> sharp(n, false);
+  std::vector<double> sharp(n, 0.0); // turn between directions, where it is a corner
   std::vector<double> rounded(n, 0.0);
   for (std::size_t k = closed ? 0 : 1; k + 1 < n; ++k)
   {
@@ -131,25 +132,26 @@ std::vector<std::size_t> cornersOf(const PointsRef& points, const CapCurve& curv
     Eigen::RowVector3d ahead = Eigen::RowVector3d::Zero();
     Eigen::RowVector3d back = Eigen::RowVector3d::Zero();
     const Eigen::RowVector3d here = chain.nodes().row(static_cast<Index>(k));
-    for (std::size_t step = 1; step + 1 < n && !(ahead.norm() > ShortestEdge * length); ++step)
+    for (std::size_t step = 1; step + 1 < n && !(ahead.norm() > shortest); ++step)
     {
       const std::size_t next = closed ? (k + step) % (n - 1) : std::min(k + step, n - 1);
       ahead = chain.nodes().row(static_cast<Index>(next)) - here;
     }
-    for (std::size_t step = 1; step + 1 < n && !(back.norm() > ShortestEdge * length); ++step)
+    for (std::size_t step = 1; step + 1 < n && !(back.norm() > shortest); ++step)
     {
       const std::size_t previous = closed ? (k + (n - 1) - step) % (n - 1) : k - std::min(step, k);
       back = here - chain.nodes().row(static_cast<Index>(previous));
     }
-    sharp[k] = angleBetween(back, ahead) > CornerAngle;
+    const double turn = angleBetween(back, ahead);
+    sharp[k] = turn > CornerAngle ? turn : 0.0;
     if (closed || (s > window && s < length - window))
     {
       rounded[k] = angleBetween(here - at(s - window), at(s + window) - here);
     }
   }
   std::vector<std::size_t> corners;
-  // Points within two windows of a place along the curve.
-  const auto anyNear = [&](std::size_t k, const auto& test) {
+  // Points within a distance of a place along the curve.
+  const auto anyNear = [&](std::size_t k, double distance, const auto& test) {
     for (const bool forward : { true, false })
     {
       for (std::size_t step = 1; step + 1 < n; ++step)
@@ -162,7 +164,7 @@ std::vector<std::size_t> cornersOf(const PointsRef& points, const CapCurve& curv
         double apart =
           std::abs(chain.reached(static_cast<Index>(other)) - chain.reached(static_cast<Index>(k)));
         apart = closed ? std::min(apart, length - apart) : apart;
-        if (apart > 2.0 * window)
+        if (apart > distance)
         {
           break;
         }
@@ -176,13 +178,19 @@ std::vector<std::size_t> cornersOf(const PointsRef& points, const CapCurve& curv
   };
   for (std::size_t k = closed ? 0 : 1; k + 1 < n; ++k)
   {
-    const bool fillet =
-      rounded[k] > FilletAngle && !anyNear(k, [&](std::size_t other, bool forward) {
-        return sharp[other] ||
-          (forward ? rounded[other] > rounded[k] * (1.0 + 1e-9)
-                   : rounded[other] >= rounded[k] * (1.0 - 1e-9));
+    // Of several points that turn alike one is taken.
+    const auto isHigher = [&](const std::vector<double>& turns, std::size_t other, bool forward) {
+      return forward ? turns[other] > turns[k] * (1.0 + 1e-9)
+                     : turns[other] >= turns[k] * (1.0 - 1e-9);
+    };
+    const bool corner = sharp[k] > 0.0 &&
+      !anyNear(k, shortest,
+        [&](std::size_t other, bool forward) { return isHigher(sharp, other, forward); });
+    const bool fillet = sharp[k] <= 0.0 && rounded[k] > FilletAngle &&
+      !anyNear(k, 2.0 * window, [&](std::size_t other, bool forward) {
+        return sharp[other] > 0.0 || isHigher(rounded, other, forward);
       });
-    if (sharp[k] || fillet)
+    if (corner || fillet)
     {
       corners.push_back(k);
     }

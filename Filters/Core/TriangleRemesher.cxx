@@ -17,6 +17,8 @@ namespace
 constexpr double TooLong = 4.0 / 3.0; // times the wanted length
 constexpr double TooShort = 4.0 / 5.0;
 constexpr double GoodShape = 0.05; // an equilateral triangle has 0.43
+constexpr double VeryShort = 0.01;
+constexpr double FlatShape = -0.01;
 constexpr double FlipMargin = 1e-9;
 }
 
@@ -38,7 +40,8 @@ TriangleRemesher::TriangleRemesher(
   for (Index i = 0; i < points.rows(); ++i)
   {
     const Vertex v = this->Triangulation.add_vertex({ points(i, 0), points(i, 1), points(i, 2) });
-    this->data(v) = { i, size, normals.row(i), false, input.stays[static_cast<std::size_t>(i)] };
+    this->data(
+      v) = { i, size, size, normals.row(i), false, input.stays[static_cast<std::size_t>(i)] };
   }
   const auto vertex = [](Index i) { return Vertex(static_cast<int>(i)); };
   for (Index t = 0; t < input.mesh.triangles.rows(); ++t)
@@ -59,6 +62,41 @@ TriangleRemesher::TriangleRemesher(
       }
     }
     this->data(vertex(curve.back())).onCurve = true;
+  }
+  this->measureCurves(input);
+}
+
+void TriangleRemesher::measureCurves(const RemeshingInput& input)
+{
+  const auto stays = [&](Index point) { return input.stays[static_cast<std::size_t>(point)]; };
+  std::vector<double> sum(input.stays.size(), 0.0);
+  std::vector<double> count(input.stays.size(), 0.0);
+  for (const std::vector<Index>& curve : input.curves)
+  {
+    for (std::size_t first = 0; first + 1 < curve.size();)
+    {
+      std::size_t last = first + 1;
+      while (!stays(curve[last]))
+      {
+        ++last;
+      }
+      const double length =
+        (input.mesh.points.row(curve[last]) - input.mesh.points.row(curve[first])).norm();
+      for (std::size_t k = first; k <= last; ++k)
+      {
+        sum[static_cast<std::size_t>(curve[k])] += length;
+        count[static_cast<std::size_t>(curve[k])] += 1.0;
+      }
+      first = last;
+    }
+  }
+  for (const auto v : this->Triangulation.vertices())
+  {
+    const auto i = static_cast<std::size_t>(v.idx());
+    if (count[i] > 0.0)
+    {
+      this->data(v).spacing = std::min(this->Size, sum[i] / count[i]);
+    }
   }
 }
 
@@ -119,22 +157,7 @@ void TriangleRemesher::updateSizes()
   for (const auto v : this->Triangulation.vertices())
   {
     VertexData& data = this->data(v);
-    data.wanted = this->Size;
-    if (data.onCurve && data.stays)
-    {
-      // The mean of the edges beside it on curves, as they will be without the points that go.
-      double sum = 0.0;
-      int count = 0;
-      for (const auto h : v.outgoing_halfedges())
-      {
-        if (this->isKept(v, h.to()))
-        {
-          sum += (this->position(h.to()) - this->position(v)).norm();
-          ++count;
-        }
-      }
-      data.wanted = count > 0 ? std::min(this->Size, sum / count) : this->Size;
-    }
+    data.wanted = data.spacing;
     open.emplace(data.wanted, v.idx());
   }
   while (!open.empty())
@@ -190,7 +213,10 @@ bool TriangleRemesher::canCollapse(HalfEdge h, bool longEdgesToo)
       after = std::min(after, this->shape(kept, b, c));
     }
   }
-  return after > GoodShape || after > before;
+  // A very short edge may leave flat triangles, since flips mend these.
+  const double length = (this->position(gone) - this->position(kept)).norm();
+  return after > GoodShape || after > before ||
+    (length < VeryShort * this->data(kept).wanted && after > FlatShape);
 }
 
 bool TriangleRemesher::shortenCurve(Vertex v)
@@ -323,6 +349,7 @@ Index TriangleRemesher::splitLong()
       this->Size, std::min(this->data(a).wanted, this->data(b).wanted) + this->Growth * half);
     const Vertex v = mesh.add_vertex((mesh.point(a) + mesh.point(b)) * 0.5);
     this->data(v).wanted = wanted;
+    this->data(v).spacing = this->Size;
     mesh.split(e, v);
     added.push_back(v);
   }

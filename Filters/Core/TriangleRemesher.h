@@ -80,6 +80,7 @@ private:
   {
     Index label = -1; ///< point of the input
     double wanted = 0.0;
+    double spacing = 0.0; ///< of the nodes of the curve that it is on
     Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
     bool onCurve = false;
     bool stays = false;
@@ -98,6 +99,7 @@ private:
   double shape(Vertex a, Vertex b, Vertex c) const;
   bool wantsFlip(Edge e) const;
   bool canCollapse(HalfEdge h, bool longEdgesToo);
+  void measureCurves(const RemeshingInput& input);
   bool shortenCurve(Vertex v);
   void putOnSurface(const std::vector<Vertex>& vertices);
 

@@ -2,13 +2,13 @@
 #include "CapQuads.h"
 
 #include "CurveDivision.h"
+#include "CurveNodes.h"
 #include "Describe.h"
 #include "Errors.h"
 #include "LoopGeometry.h"
 #include "MidpointSubdivision.h"
 #include "QuadPolishing.h"
 #include "QuadQuality.h"
-#include "SurfaceRefinement.h"
 #include "SurfaceRemeshing.h"
 #include "SurfaceTopology.h"
 #include "TrianglePairing.h"
@@ -28,8 +28,7 @@ constexpr double MaximumQuads = 50e6;
 /// are as large as squares of the wanted size.
 constexpr double TriangleSize = 2.32;
 constexpr double Growth = 0.4;
-/// Nodes go to a point of a curve this near, relative to the edges beside them.
-constexpr double SnapDistance = 1e-3;
+constexpr int PatchRings = 4; // around an inverted quad
 constexpr double DefaultQuads = 1000.0;
 constexpr double MostDefaultQuads = 16000.0;
 constexpr double DefaultLoopEdges = 12.0;
@@ -90,132 +89,61 @@ void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
   }
 }
 
-/// The curves of a cap with points for their nodes.
-struct PreparedCap
+/// Untangles the quads around inverted ones only: the others need no work, and there may be many.
+Points untangledLocally(const TriangleMesh& cap, const QuadMesh& mesh,
+  const std::vector<bool>& fixed, const PointsRef& normals, const Progress& progress)
 {
-  RemeshingInput input;
-  std::vector<ArcLengthChain> chains;
-  /// Arc length of each entry of input.curves.
-  std::vector<std::vector<double>> reached;
-};
-
-PreparedCap putNodesOnCurves(const TriangleMesh& cap, const std::vector<CapCurve>& curves,
-  const std::vector<std::vector<double>>& divided, const std::vector<Index>& keep)
-{
-  struct Insertion
+  const QuadQuality quality = quadQuality(mesh.points, mesh.quads, normals);
+  if (quality.inverted == 0)
   {
-    std::size_t curve;
-    Index edge;
-  };
-  PreparedCap prepared;
-  std::vector<EdgeSubdivision> subdivisions;
-  std::vector<Insertion> insertions;
-  std::vector<Index> nodes = keep;
-  for (std::size_t c = 0; c < curves.size(); ++c)
+    return mesh.points;
+  }
+  std::vector<bool> near(fixed.size(), false);
+  for (Index q = 0; q < mesh.quads.rows(); ++q)
   {
-    prepared.chains.push_back(chainOf(cap.points, curves[c]));
-    const ArcLengthChain& chain = prepared.chains.back();
-    nodes.push_back(curves[c].points.front());
-    nodes.push_back(curves[c].points.back());
-    for (std::size_t k = 1; k + 1 < divided[c].size(); ++k)
+    for (Index c = 0; c < 4 && !(quality.scaledJacobian[q] > 0.0); ++c)
     {
-      const double place = divided[c][k];
-      const ArcLengthChain::Place at = chain.locate(place);
-      const double near =
-        SnapDistance * std::min(place - divided[c][k - 1], divided[c][k + 1] - place);
-      if (place - chain.reached(at.edge) <= near)
+      near[static_cast<std::size_t>(mesh.quads(q, c))] = true;
+    }
+  }
+  std::vector<Index> patch;
+  for (int ring = 0; ring <= PatchRings; ++ring)
+  {
+    patch.clear();
+    for (Index q = 0; q < mesh.quads.rows(); ++q)
+    {
+      bool touched = false;
+      for (Index c = 0; c < 4; ++c)
       {
-        nodes.push_back(curves[c].points[static_cast<std::size_t>(at.edge)]);
+        touched = touched || near[static_cast<std::size_t>(mesh.quads(q, c))];
       }
-      else if (chain.reached(at.edge + 1) - place <= near)
+      if (touched)
       {
-        nodes.push_back(curves[c].points[static_cast<std::size_t>(at.edge) + 1]);
+        patch.push_back(q);
       }
-      else
+    }
+    for (const Index q : patch)
+    {
+      for (Index c = 0; c < 4 && ring < PatchRings; ++c)
       {
-        if (insertions.empty() || insertions.back().curve != c || insertions.back().edge != at.edge)
-        {
-          insertions.push_back({ c, at.edge });
-          subdivisions.push_back({ curves[c].points[static_cast<std::size_t>(at.edge)],
-            curves[c].points[static_cast<std::size_t>(at.edge) + 1], {} });
-        }
-        subdivisions.back().fractions.push_back(at.along);
+        near[static_cast<std::size_t>(mesh.quads(q, c))] = true;
       }
     }
   }
-  RefinedSurface refined = refineSurface(cap, subdivisions, false);
-  prepared.input.mesh = std::move(refined.mesh);
-  prepared.input.stays.assign(static_cast<std::size_t>(prepared.input.mesh.points.rows()), false);
-  for (const Index node : nodes)
+  Quads quads(static_cast<Index>(patch.size()), 4);
+  for (std::size_t k = 0; k < patch.size(); ++k)
   {
-    prepared.input.stays[static_cast<std::size_t>(node)] = true;
+    quads.row(static_cast<Index>(k)) = mesh.quads.row(patch[k]);
   }
-  std::size_t insertion = 0;
-  for (std::size_t c = 0; c < curves.size(); ++c)
+  std::vector<bool> still = fixed;
+  for (std::size_t i = 0; i < still.size(); ++i)
   {
-    std::vector<Index> points;
-    std::vector<double> reached;
-    for (std::size_t k = 0; k < curves[c].points.size(); ++k)
-    {
-      points.push_back(curves[c].points[k]);
-      reached.push_back(prepared.chains[c].reached(static_cast<Index>(k)));
-      if (insertion < insertions.size() && insertions[insertion].curve == c &&
-        insertions[insertion].edge == static_cast<Index>(k))
-      {
-        const double next = prepared.chains[c].reached(static_cast<Index>(k) + 1);
-        for (std::size_t i = 0; i < refined.inserted[insertion].size(); ++i)
-        {
-          const double fraction = subdivisions[insertion].fractions[i];
-          const Index node = refined.inserted[insertion][i];
-          points.push_back(node);
-          reached.push_back(
-            (1.0 - fraction) * prepared.chains[c].reached(static_cast<Index>(k)) + fraction * next);
-          prepared.input.stays[static_cast<std::size_t>(node)] = true;
-        }
-        ++insertion;
-      }
-    }
-    prepared.input.curves.push_back(std::move(points));
-    prepared.reached.push_back(std::move(reached));
+    still[i] = still[i] || !near[i];
   }
-  return prepared;
+  const CapCorners corners(quads, still, cap, {}, mesh.points);
+  return untangleQuads(corners, mesh.points, mesh.points, progress).points;
 }
 
-/// An edge of the triangles on a curve, and the place of the node that halves it.
-struct CurveEdge
-{
-  std::pair<Index, Index> ends; ///< lower one first
-  Eigen::RowVector3d middle;
-};
-
-std::vector<CurveEdge> curveEdges(const PreparedCap& prepared, const std::vector<Index>& pointOf)
-{
-  std::vector<CurveEdge> edges;
-  for (std::size_t c = 0; c < prepared.chains.size(); ++c)
-  {
-    Index last = -1;
-    double lastReached = 0.0;
-    for (std::size_t k = 0; k < prepared.input.curves[c].size(); ++k)
-    {
-      const Index point = pointOf[static_cast<std::size_t>(prepared.input.curves[c][k])];
-      const double reached = prepared.reached[c][k];
-      if (point < 0)
-      {
-        continue;
-      }
-      if (last >= 0)
-      {
-        edges.push_back(
-          { std::minmax(last, point), prepared.chains[c].at(0.5 * (lastReached + reached)) });
-      }
-      last = point;
-      lastReached = reached;
-    }
-  }
-  std::sort(edges.begin(), edges.end(),
-    [](const CurveEdge& a, const CurveEdge& b) { return a.ends < b.ends; });
-  return edges;
-}
 }
 
 CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& faceIds,
@@ -228,7 +156,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
 
   const std::vector<CapCurve> curves =
     traceCapCurves(cap, topology.loops, faceIds, options.keep, options.size);
-  const PreparedCap prepared =
+  const DividedCap prepared =
     putNodesOnCurves(cap, curves, divideCapCurves(cap, curves, 2.0 * options.size), options.keep);
   const SurfaceProjection surface(cap);
   const TriangleRemesher::Result remeshed = remeshSurface(
@@ -273,11 +201,12 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   {
     fixed[static_cast<std::size_t>(node)] = true;
   }
-  const CapCorners corners(result.mesh.quads, fixed, cap, {}, points);
-  const ImprovedQuads untangled =
-    untangleQuads(corners, points, points, progressPart(progress, 0.5, 0.75));
+  result.mesh.points = std::move(points);
+  result.mesh.points = untangledLocally(cap, result.mesh, fixed,
+    surface.project(result.mesh.points).normals, progressPart(progress, 0.5, 0.75));
+  const CapCorners corners(result.mesh.quads, fixed, cap, {}, result.mesh.points);
   result.mesh.points =
-    polishQuads(corners, untangled.points, untangled.points, progressPart(progress, 0.75, 1.0))
+    polishQuads(corners, result.mesh.points, result.mesh.points, progressPart(progress, 0.75, 1.0))
       .points;
 
   const TriangleSearch search(cap.points, cap.triangles);

@@ -2,6 +2,8 @@
 #include "CurveDivision.h"
 
 #include "Constants.h"
+#include "Describe.h"
+#include "Errors.h"
 #include "PointGrid.h"
 #include "SurfaceProjection.h"
 
@@ -27,6 +29,7 @@ constexpr double LeastOfCurve = 0.02; // of the size: shorter curves ask for not
 constexpr double TurnOfEdge = 0.5 * Pi;
 constexpr double LeastOfTurn = 0.5; // of the size: bends ask for nothing shorter
 constexpr Index LeastLoopEdges = 4;
+constexpr double MaximumEdges = 10e6;
 
 struct Sample
 {
@@ -340,6 +343,16 @@ std::vector<std::vector<double>> divideCapCurves(
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     wanted.push_back(lengths.edgesUpTo(c));
+  }
+  double edges = 0.0;
+  for (const std::vector<double>& curve : wanted)
+  {
+    edges += curve.back();
+  }
+  if (!(edges <= MaximumEdges))
+  {
+    throw InvalidInput("the cap is so narrow in places that its boundary would take " +
+      describe(edges) + " edges. Give a larger size, or mend the cap where curves all but touch.");
   }
   const std::vector<Index> counts = edgeCounts(curves, wanted);
   std::vector<std::vector<double>> divided(curves.size());

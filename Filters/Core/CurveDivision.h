@@ -21,6 +21,7 @@ namespace hexsweep
  *
  * @param curves of the cap, see traceCapCurves().
  * @param size   wanted length, > 0.
+ * @throw InvalidInput where walls are so thin that more than 10 million edges would result.
  * @return one list a curve: arc lengths of its nodes from 0 to its whole length, rising.
  */
 std::vector<std::vector<double>> divideCapCurves(

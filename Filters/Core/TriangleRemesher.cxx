@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleRemesher.h"
 
+#include "Constants.h"
 #include "Errors.h"
 
 #include <Eigen/Geometry>
@@ -397,8 +398,7 @@ bool TriangleRemesher::wantsFlip(Edge e) const
     const Eigen::RowVector3d w = this->position(b) - this->position(apex);
     return std::atan2(u.cross(w).norm(), u.dot(w));
   };
-  constexpr double StraightAngle = 3.14159265358979323846;
-  return angle(c) + angle(d) > StraightAngle + 1e-6 && after > GoodShape;
+  return angle(c) + angle(d) > Pi + 1e-6 && after > GoodShape;
 }
 
 Index TriangleRemesher::flip()

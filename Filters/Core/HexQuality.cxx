@@ -6,8 +6,7 @@
 #include "BezierHex.h"
 #include "BezierMinimum.h"
 #include "HexBatch.h"
-
-#include <Eigen/Geometry>
+#include "HexCorner.h"
 
 #include <algorithm>
 #include <array>
@@ -21,45 +20,16 @@ namespace
 {
 using Vector = Eigen::RowVector3d;
 
-// The neighbours of each corner in the order that makes the determinant of the edges to them
-// positive in a right-handed hexahedron.
-constexpr int Neighbors[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 }, { 7, 5, 0 },
-  { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
-
 // The faces at either end of the three axes through the centre.
 constexpr int HighFace[3][4] = { { 1, 2, 5, 6 }, { 2, 3, 6, 7 }, { 4, 5, 6, 7 } };
 constexpr int LowFace[3][4] = { { 0, 3, 4, 7 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
 
-struct Frame
+HexFrame frameAtCorner(const HexCornersRef& corners, int corner)
 {
-  Vector u, v, w;
-
-  double determinant() const { return u.dot(v.cross(w)); }
-
-  // The determinant over the product of the lengths. Each vector is scaled by itself: the product
-  // of six factors would under- or overflow long before the coordinates do.
-  double scaledDeterminant() const
-  {
-    const double lengths[3] = { u.stableNorm(), v.stableNorm(), w.stableNorm() };
-    if (!(lengths[0] > 0.0 && lengths[1] > 0.0 && lengths[2] > 0.0))
-    {
-      return 0.0;
-    }
-    const double scaled = (u / lengths[0]).dot((v / lengths[1]).cross(w / lengths[2]));
-    return std::clamp(scaled, -1.0, 1.0);
-  }
-
-  bool hasZeroEdge() const { return u.isZero(0.0) || v.isZero(0.0) || w.isZero(0.0); }
-};
-
-Frame frameAtCorner(const HexCornersRef& corners, int corner)
-{
-  const int* to = Neighbors[corner];
-  return { corners.row(to[0]) - corners.row(corner), corners.row(to[1]) - corners.row(corner),
-    corners.row(to[2]) - corners.row(corner) };
+  return hexFrame([&corners](int i) { return corners.row(i); }, corner);
 }
 
-Frame frameAtCenter(const HexCornersRef& corners)
+HexFrame frameAtCenter(const HexCornersRef& corners)
 {
   const auto axis = [&corners](int i) -> Vector {
     const int* high = HighFace[i];
@@ -99,7 +69,7 @@ HexQuality hexQuality(const HexCornersRef& corners)
   bool zeroEdge = false;
   for (int i = 0; i < 8; ++i)
   {
-    const Frame frame = frameAtCorner(corners, i);
+    const HexFrame frame = frameAtCorner(corners, i);
     const double scaled = frame.scaledDeterminant();
     least = std::min(least, scaled);
     most = std::max(most, scaled);

@@ -38,56 +38,108 @@ void addStepReport(
 
 namespace
 {
-constexpr Index NumberOfNamedCells = 10;
-
-bool isBad(const HexQuality& quality)
+enum Place
 {
-  return quality.validity == Validity::InvertedCorner ||
-    quality.validity == Validity::InvertedInside || quality.validity == Validity::Degenerate;
-}
+  SourceQuads,
+  TargetQuads,
+  LinkingSides
+};
 
-}
-
-std::string describeInverted(const PointsRef& points, const HexesRef& hexes,
-  const std::vector<HexQuality>& qualities, const FixedCorners& fixed)
+struct ConflictText
 {
-  const HexQualitySummary summary = summarize(qualities);
-  std::string text = std::to_string(summary.inverted) + " of " + std::to_string(summary.hexes) +
-    " hexahedra are inverted";
-  if (summary.degenerate > 0)
+  ConflictCause cause;
+  Place place;
+  const char* text;
+};
+
+// What is wrong, and how to mend it.
+constexpr ConflictText ConflictTexts[] = {
+  { ConflictCause::Corner, SourceQuads,
+    "a corner between the source quads and a linking side is turned over: correct the source "
+    "quads or the linking side" },
+  { ConflictCause::Corner, TargetQuads,
+    "a corner between the target quads and a linking side is turned over: correct the target "
+    "quads or the linking side" },
+  { ConflictCause::Corner, LinkingSides,
+    "a corner between two linking sides is turned over: mesh these linking sides anew" },
+  { ConflictCause::Fold, SourceQuads,
+    "the source quads fold, those round a point do not face one side: correct the source quads" },
+  { ConflictCause::Fold, TargetQuads,
+    "the target quads fold, those round a point do not face one side: correct the target quads" },
+  { ConflictCause::Fold, LinkingSides,
+    "a linking side folds, its columns run back or its rings cross: mesh this linking side anew" },
+  { ConflictCause::Edge, SourceQuads,
+    "points of the source quads or of the columns from them coincide: move them apart" },
+  { ConflictCause::Edge, TargetQuads,
+    "points of the target quads or of the columns to them coincide: move them apart" },
+  { ConflictCause::Edge, LinkingSides,
+    "points of a linking side coincide, in a ring or along a column: move them apart" },
+  { ConflictCause::Inside, SourceQuads,
+    "all eight points are on the boundary, which is too crooked between them: use more layers" },
+};
+
+Place placeOf(const Conflict& conflict, Index pointsPerLayer, Index points)
+{
+  if (conflict.cause == ConflictCause::Inside || conflict.node < pointsPerLayer)
   {
-    text +=
-      " and " + std::to_string(summary.degenerate) + " are degenerate (an edge has no length)";
+    return SourceQuads;
   }
-  text += ". The first:";
-  Index named = 0;
-  for (Index h = 0; h < hexes.rows() && named < NumberOfNamedCells; ++h)
+  return conflict.node >= points - pointsPerLayer ? TargetQuads : LinkingSides;
+}
+
+std::string describeConflicts(
+  const PointsRef& points, Index pointsPerLayer, const FixedCorners& fixed)
+{
+  std::string text;
+  for (const ConflictText& kind : ConflictTexts)
   {
-    const HexQuality& quality = qualities[static_cast<std::size_t>(h)];
-    if (isBad(quality))
+    Index count = 0;
+    const Conflict* first = nullptr;
+    for (const Conflict& conflict : fixed.conflicts)
     {
-      Eigen::RowVector3d center = Eigen::RowVector3d::Zero();
-      for (int c = 0; c < 8; ++c)
+      if (conflict.cause == kind.cause &&
+        placeOf(conflict, pointsPerLayer, points.rows()) == kind.place)
       {
-        center += 0.125 * points.row(hexes(h, c));
+        first = first ? first : &conflict;
+        ++count;
       }
-      text += "\n  cell " + std::to_string(h) + " at " + describe(center) + ", scaled Jacobian " +
-        describe(quality.scaledJacobian);
-      ++named;
+    }
+    if (first)
+    {
+      text += "\n  " + std::to_string(count) + ", the first cell " + std::to_string(first->hex) +
+        " at " + describe(points.row(first->node)) + ": " + kind.text + ".";
     }
   }
-  text += "\nThreshold the cell array Validity (1, 2 and 4) to see all of them.";
-  const std::vector<Index>& conflicts = fixed.conflicts;
-  if (!conflicts.empty())
+  return text;
+}
+}
+
+std::string interiorAdvice(const PointsRef& points, Index pointsPerLayer, Index bad,
+  const FixedCorners& fixed, const InteriorSettings& settings)
+{
+  std::string text;
+  const Index conflicts = static_cast<Index>(fixed.conflicts.size());
+  if (conflicts > 0)
   {
-    text += " " + std::to_string(conflicts.size()) +
-      " of them have a corner between a cap and a linking side that is inverted whatever the "
-      "interior does (the first is cell " +
-      std::to_string(conflicts.front()) + "): correct the target quads or the linking sides there.";
+    text = "caps and linking sides alone make " + std::to_string(conflicts) +
+      " hexahedra bad, whatever the interior does:" +
+      describeConflicts(points, pointsPerLayer, fixed);
+    if (conflicts >= bad)
+    {
+      return text;
+    }
+    text += "\nFor the others ";
+  }
+  if (!settings.ensureValid)
+  {
+    return text + "switch EnsureValid on, which untangles them where that is possible.";
+  }
+  if (!settings.automatic)
+  {
+    return text + "use the method Automatic, which tries several methods.";
   }
   return text +
-    " Check the target quads and the linking sides first (folded quads make inverted hexahedra); "
-    "refine the quads, use more layers where the section changes quickly, or let EnsureValid and "
-    "the method Automatic do what they can.";
+    "check the target quads and the linking sides first (folded quads make inverted hexahedra), "
+    "then refine the quads, or use more layers where the section changes quickly.";
 }
 }

@@ -53,13 +53,22 @@ private:
 void addStepReport(
   vtkFieldData* fieldData, const SweepInterior& interior, const InteriorOptions& options);
 
+/// The settings that decide what else may help.
+struct InteriorSettings
+{
+  bool ensureValid;
+  bool automatic; ///< all methods one after the other
+};
+
 /**
- * How many hexahedra are inverted or degenerate, where the first ten are, and what to do.
+ * What to do about bad hexahedra, for describeInverted(): what the boundary alone makes bad, where
+ * and how to mend it; then what settings or other meshes may do.
  *
- * @param points, hexes as they are put out, with the quality of each.
+ * @param points         (L + 1) n x 3. @param pointsPerLayer n.
+ * @param bad            how many hexahedra are not valid.
  */
-std::string describeInverted(const PointsRef& points, const HexesRef& hexes,
-  const std::vector<HexQuality>& qualities, const FixedCorners& fixed);
+std::string interiorAdvice(const PointsRef& points, Index pointsPerLayer, Index bad,
+  const FixedCorners& fixed, const InteriorSettings& settings);
 }
 
 #endif

@@ -18,6 +18,15 @@ QualityArrays::QualityArrays(vtkIdType cells)
   this->Verdict->SetNumberOfValues(cells);
 }
 
+HexQuality QualityArrays::quality(vtkIdType cell) const
+{
+  HexQuality quality;
+  quality.scaledJacobian = this->ScaledJacobian->GetValue(cell);
+  quality.jacobianLowerBound = this->LowerBound->GetValue(cell);
+  quality.validity = static_cast<Validity>(this->Verdict->GetValue(cell));
+  return quality;
+}
+
 void QualityArrays::addTo(vtkDataSetAttributes* cellData) const
 {
   cellData->AddArray(this->ScaledJacobian);

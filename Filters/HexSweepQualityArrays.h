@@ -31,11 +31,8 @@ public:
     this->Verdict->SetValue(cell, static_cast<unsigned char>(quality.validity));
   }
 
-  double scaledJacobian(vtkIdType cell) const { return this->ScaledJacobian->GetValue(cell); }
-  Validity validity(vtkIdType cell) const
-  {
-    return static_cast<Validity>(this->Verdict->GetValue(cell));
-  }
+  /// As set, but for HexQuality::insideOut.
+  HexQuality quality(vtkIdType cell) const;
 
   void addTo(vtkDataSetAttributes* cellData) const;
 

@@ -9,6 +9,7 @@
 #include "HexSweepBridge.h"
 #include "HexSweepCage.h"
 #include "HexSweepGrid.h"
+#include "HexSweepHexText.h"
 #include "HexSweepInteriorReport.h"
 #include "HexSweepMethods.h"
 #include "HexSweepQualityArrays.h"
@@ -89,6 +90,21 @@ void fillGrid(const SweptMesh& mesh, vtkDataSet* source, const std::vector<Index
   cellData->AddArray(hexsweep::newRepeatedIds("SourceCellIds", sourceCellIds, mesh.layers));
   cellData->AddArray(
     hexsweep::newLayerNumbers(static_cast<Index>(sourceCellIds.size()), mesh.layers));
+}
+
+hexsweep::JudgedHexes judgedHexes(const SweptMesh& mesh, const std::vector<HexQuality>& qualities,
+  const hexsweep::HexQualitySummary& summary)
+{
+  const auto corners = [&mesh](Index h) {
+    hexsweep::HexCorners places;
+    for (int c = 0; c < 8; ++c)
+    {
+      places.row(c) = mesh.points.row(mesh.hexes()(h, c));
+    }
+    return places;
+  };
+  return { summary, static_cast<Index>(qualities.size()),
+    [&qualities](Index h) { return qualities[static_cast<std::size_t>(h)]; }, corners };
 }
 
 void addQualities(const std::vector<HexQuality>& qualities, vtkCellData* cellData)
@@ -174,10 +190,14 @@ int vtkCageHexInterior::RequestData(
       this->Certify, hexsweep::smpFor(), hexsweep::pipelineProgress(this, 0.9, 0.95));
     const hexsweep::HexQualitySummary summary = hexsweep::summarize(qualities);
     clock.finish("Quality");
+    const hexsweep::JudgedHexes judged = judgedHexes(mesh, qualities, summary);
+    const auto advice = [&]() {
+      return hexsweep::interiorAdvice(mesh.points, cage.source.rows(), summary.notCertified,
+        interior.fixed, { this->EnsureValid, this->Method == AUTOMATIC });
+    };
     if (summary.inverted + summary.degenerate > 0)
     {
-      const std::string problem =
-        hexsweep::describeInverted(mesh.points, mesh.hexes(), qualities, interior.fixed);
+      const std::string problem = hexsweep::describeInverted(judged, advice());
       if (this->FailIfInvalid)
       {
         throw hexsweep::InvalidInput(problem);
@@ -186,10 +206,7 @@ int vtkCageHexInterior::RequestData(
     }
     if (this->Certify && summary.undecided > 0)
     {
-      vtkWarningMacro(<< summary.undecided << " of " << summary.hexes
-                      << " hexahedra are undecided: their Jacobian comes too near to zero to be "
-                         "told from it. Threshold the cell array Validity (3) to see them, and "
-                         "treat them as inverted.");
+      vtkWarningMacro(<< hexsweep::describeUndecided(judged, advice()));
     }
 
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);

@@ -4,6 +4,7 @@
 #include "Core/HexQuality.h"
 #include "HexSweepBridge.h"
 #include "HexSweepHexReader.h"
+#include "HexSweepHexText.h"
 #include "HexSweepQualityArrays.h"
 
 #include <vtkCellData.h>
@@ -17,9 +18,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,7 +32,6 @@ using hexsweep::Index;
 using hexsweep::QualityArrays;
 using hexsweep::Validity;
 
-constexpr vtkIdType NumberOfNamedCells = 10;
 // Between two portions progress is shown and an abort is heard; a portion is shared by the threads
 // in pieces.
 constexpr Index CellsPerPortion = 1 << 16;
@@ -120,34 +118,13 @@ struct JudgedCells
     }
   }
 
-  /// Names the first cells with one of these verdicts.
-  std::string describe(std::initializer_list<Validity> verdicts)
+  hexsweep::JudgedHexes judged()
   {
-    std::ostringstream text;
-    vtkIdType named = 0;
-    for (vtkIdType cell = 0; cell < this->count && named < NumberOfNamedCells; ++cell)
-    {
-      const Validity validity = this->arrays.validity(cell);
-      if (std::find(verdicts.begin(), verdicts.end(), validity) == verdicts.end() ||
-        !this->isOwned(cell))
-      {
-        continue;
-      }
-      const Eigen::RowVector3d center = this->reader.corners(cell).colwise().mean();
-      text << "\n  cell " << cell << " at (" << center[0] << ", " << center[1] << ", " << center[2]
-           << "), ";
-      if (validity == Validity::Degenerate)
-      {
-        text << "degenerate";
-      }
-      else
-      {
-        text << "scaled Jacobian " << this->arrays.scaledJacobian(cell)
-             << (validity == Validity::InvertedInside ? ", inverted between its corners" : "");
-      }
-      ++named;
-    }
-    return text.str();
+    const auto quality = [this](Index cell) {
+      return this->isOwned(cell) ? this->arrays.quality(cell) : notJudged();
+    };
+    return { this->summary, this->count, quality,
+      [this](Index cell) { return this->reader.corners(cell); } };
   }
 
   vtkIdType count;
@@ -157,41 +134,7 @@ struct JudgedCells
   hexsweep::HexQualitySummary summary;
 };
 
-std::string describeInverted(JudgedCells& cells)
-{
-  const hexsweep::HexQualitySummary& summary = cells.summary;
-  std::ostringstream text;
-  if (summary.insideOut == summary.hexes)
-  {
-    text << "the mesh is inside out: all " << summary.hexes
-         << " hexahedra have negative Jacobians at every corner, because their points are in "
-            "left-handed order. Swap the first four points of each hexahedron with the last four.";
-    return text.str();
-  }
-  text << summary.inverted << " of " << summary.hexes << " hexahedra are inverted";
-  if (summary.degenerate > 0)
-  {
-    text << " and " << summary.degenerate
-         << " are degenerate (an edge without length, or a coordinate that is not finite)";
-  }
-  text << ". The first:"
-       << cells.describe(
-            { Validity::InvertedCorner, Validity::InvertedInside, Validity::Degenerate })
-       << "\nThreshold the cell array Validity (1, 2 and 4) to see all of them; move their points, "
-          "or mesh that region anew.";
-  return text.str();
-}
-
-std::string describeUndecided(JudgedCells& cells)
-{
-  std::ostringstream text;
-  text << cells.summary.undecided << " of " << cells.summary.hexes
-       << " hexahedra are undecided: their Jacobian comes too near to zero to be told from it. The "
-          "first:"
-       << cells.describe({ Validity::Undecided })
-       << "\nTreat them as inverted: move their points, or mesh that region anew.";
-  return text.str();
-}
+constexpr const char* Advice = "move their points, or mesh that region anew.";
 }
 
 void vtkHexValidity::PrintSelf(ostream& os, vtkIndent indent)
@@ -225,7 +168,7 @@ int vtkHexValidity::RequestData(
     }
     if (cells.summary.inverted + cells.summary.degenerate > 0)
     {
-      const std::string problem = describeInverted(cells);
+      const std::string problem = hexsweep::describeInverted(cells.judged(), Advice);
       if (this->FailIfInvalid)
       {
         throw hexsweep::InvalidInput(problem);
@@ -234,7 +177,7 @@ int vtkHexValidity::RequestData(
     }
     if (cells.summary.undecided > 0)
     {
-      vtkWarningMacro(<< describeUndecided(cells));
+      vtkWarningMacro(<< hexsweep::describeUndecided(cells.judged(), Advice));
     }
     output->ShallowCopy(input);
     cells.arrays.addTo(output->GetCellData());

@@ -7,8 +7,6 @@
 #include "HexPatches.h"
 
 #include <algorithm>
-#include <iterator>
-#include <limits>
 #include <optional>
 
 namespace hexsweep
@@ -52,26 +50,40 @@ bool isBad(const HexQuality& quality)
   return quality.validity != Validity::Certified;
 }
 
-std::vector<bool> fixedNodes(const HexPatch& patch)
+/// A patch without the hexahedra that nothing can cure, which would hold up the others.
+struct CurablePatch
 {
-  std::vector<bool> fixed = patch.free;
-  fixed.flip();
-  return fixed;
+  Hexes hexes;
+  HexBoxes boxes;
+};
+
+CurablePatch curable(const HexPatch& patch, const HexBoxes& boxes, const FixedCorners& fixed)
+{
+  std::vector<Index> rows;
+  for (std::size_t c = 0; c < patch.cells.size(); ++c)
+  {
+    if (!fixed.forbids(patch.cells[c]))
+    {
+      rows.push_back(static_cast<Index>(c));
+    }
+  }
+  CurablePatch result;
+  result.hexes.resize(static_cast<Index>(rows.size()), 8);
+  result.boxes.resize(static_cast<Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    result.hexes.row(static_cast<Index>(i)) = patch.hexes.row(rows[i]);
+    result.boxes.row(static_cast<Index>(i)) =
+      boxes.row(patch.cells[static_cast<std::size_t>(rows[i])]);
+  }
+  return result;
 }
 
-/// Of the hexahedra that can be cured.
-PatchQuality measure(
-  const PointsRef& points, const HexesRef& hexes, const std::vector<Index>& conflicts)
+PatchQuality measure(const PointsRef& points, const HexesRef& hexes)
 {
   PatchQuality result;
-  const std::vector<HexQuality> qualities = hexQualities(points, hexes);
-  for (std::size_t h = 0; h < qualities.size(); ++h)
+  for (const HexQuality& quality : hexQualities(points, hexes))
   {
-    if (std::binary_search(conflicts.begin(), conflicts.end(), static_cast<Index>(h)))
-    {
-      continue;
-    }
-    const HexQuality& quality = qualities[h];
     result.bad += isBad(quality);
     result.invertedCorners += quality.scaledJacobian <= 0.0;
     result.minimum = std::min(result.minimum, quality.scaledJacobian);
@@ -86,13 +98,11 @@ struct PatchResult
   Index rounds = 0;
 };
 
-PatchResult untanglePatch(
-  const HexPatch& patch, const Points& points, const HexBoxes& boxes, const Progress& progress)
+PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& free,
+  const Points& points, const Progress& progress)
 {
-  const std::vector<Index> conflicts =
-    fixedCorners(points, patch.hexes, fixedNodes(patch)).conflicts;
-  PatchResult best{ points, measure(points, patch.hexes, conflicts), 0 };
-  const HexDescent descent(points, patch.hexes, boxes, patch.free);
+  PatchResult best{ points, measure(points, patch.hexes), 0 };
+  const HexDescent descent(points, patch.hexes, patch.boxes, free);
   if (!descent.hasFreeNodes())
   {
     return best;
@@ -111,7 +121,7 @@ PatchResult untanglePatch(
         progressPart(progress, static_cast<double>(round) / MaximumRounds,
           static_cast<double>(round + 1) / MaximumRounds));
     current.points = std::move(step.points);
-    current.quality = measure(current.points, patch.hexes, conflicts);
+    current.quality = measure(current.points, patch.hexes);
     ++best.rounds;
     if (current.quality.betterThan(best.quality))
     {
@@ -131,28 +141,30 @@ PatchResult untanglePatch(
   return best;
 }
 
-std::vector<Index> badHexes(const PointsRef& points, const HexesRef& hexes,
+struct BadHexes
+{
+  Index count = 0;
+  std::vector<Index> curable;
+};
+
+BadHexes badHexes(const PointsRef& points, const HexesRef& hexes, const FixedCorners& fixed,
   const ParallelFor& parallelFor, const Progress& progress)
 {
-  std::vector<Index> bad;
+  BadHexes bad;
   const std::vector<HexQuality> qualities =
     hexQualities(points, hexes, true, parallelFor, progress);
   for (std::size_t h = 0; h < qualities.size(); ++h)
   {
     if (isBad(qualities[h]))
     {
-      bad.push_back(static_cast<Index>(h));
+      ++bad.count;
+      if (!fixed.forbids(static_cast<Index>(h)))
+      {
+        bad.curable.push_back(static_cast<Index>(h));
+      }
     }
   }
   return bad;
-}
-
-/// Both sorted.
-std::vector<Index> without(const std::vector<Index>& all, const std::vector<Index>& some)
-{
-  std::vector<Index> rest;
-  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
-  return rest;
 }
 
 Points rowsOf(const Points& points, const std::vector<Index>& rows)
@@ -171,34 +183,28 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
 {
   UntangledHexes result;
   result.points = points;
-  std::vector<Index> bad =
-    badHexes(points, hexes, parallelFor, progressPart(progress, 0.0, Judging));
-  result.before = result.after = static_cast<Index>(bad.size());
-  const std::vector<Index> conflicts = fixedCorners(points, hexes, fixed).conflicts;
-  bad = without(bad, conflicts);
-  if (bad.empty())
+  const FixedCorners corners = fixedCorners(points, hexes, fixed);
+  BadHexes bad =
+    badHexes(points, hexes, corners, parallelFor, progressPart(progress, 0.0, Judging));
+  result.before = result.after = bad.count;
+  if (bad.curable.empty())
   {
     return result;
   }
   const HexesAtNodes atNodes(hexes, points.rows());
   int rings = FirstRings;
-  for (int attempt = 0; attempt < Attempts && !bad.empty(); ++attempt, rings *= 2)
+  for (int attempt = 0; attempt < Attempts && !bad.curable.empty(); ++attempt, rings *= 2)
   {
-    const std::vector<HexPatch> patches = hexPatches(hexes, atNodes, bad, rings, fixed);
+    const std::vector<HexPatch> patches = hexPatches(hexes, atNodes, bad.curable, rings, fixed);
     const double begin = Judging + (1.0 - Judging) * attempt / Attempts;
     const double end = Judging + (1.0 - Judging) * (attempt + 1) / Attempts;
     const double width = (end - Judging - begin) / static_cast<double>(patches.size());
     for (std::size_t p = 0; p < patches.size(); ++p)
     {
       const HexPatch& patch = patches[p];
-      HexBoxes wanted(static_cast<Index>(patch.cells.size()), 3);
-      for (std::size_t c = 0; c < patch.cells.size(); ++c)
-      {
-        wanted.row(static_cast<Index>(c)) = boxes.row(patch.cells[c]);
-      }
       const double done = begin + static_cast<double>(p) * width;
-      const PatchResult mended = untanglePatch(patch, rowsOf(result.points, patch.nodes), wanted,
-        progressPart(progress, done, done + width));
+      const PatchResult mended = untanglePatch(curable(patch, boxes, corners), patch.free,
+        rowsOf(result.points, patch.nodes), progressPart(progress, done, done + width));
       result.rounds += mended.rounds;
       for (std::size_t i = 0; i < patch.nodes.size(); ++i)
       {
@@ -206,9 +212,9 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
       }
     }
     result.patches += static_cast<Index>(patches.size());
-    bad = badHexes(result.points, hexes, parallelFor, progressPart(progress, end - Judging, end));
-    result.after = static_cast<Index>(bad.size());
-    bad = without(bad, conflicts);
+    bad = badHexes(
+      result.points, hexes, corners, parallelFor, progressPart(progress, end - Judging, end));
+    result.after = bad.count;
   }
   return result;
 }

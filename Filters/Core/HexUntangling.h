@@ -30,7 +30,7 @@ struct UntangledHexes
  *
  * Bad is a hexahedron whose verdict is not Certified. Where all of a patch's corners are positive
  * the energy looks at the 27 places of the lattice instead of the corners. Hexahedra that their
- * fixed nodes make bad (fixedCorners()) are left as they are; nothing here can cure them.
+ * fixed nodes make bad (fixedCorners()) count for nothing: nothing here can cure them.
  *
  * @param points n x 3.
  * @param hexes  m x 8 ids in [0, n).

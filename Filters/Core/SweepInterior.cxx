@@ -32,6 +32,9 @@ struct Candidate
   Points points;
   Hexes hexes;
   HexQualitySummary quality;
+  /// Not certified although inner nodes could change it.
+  Index curable = 0;
+  FixedCorners fixed;
   std::string method;
 
   bool betterThan(const Candidate& other) const
@@ -80,6 +83,7 @@ public:
       reportProgress(progress, 0.8);
       candidate.hexes =
         sweptHexes(this->Cage.quads, candidate.points, this->Cage.boundary.numberOfLayers());
+      candidate.fixed = fixedCorners(candidate.points, candidate.hexes, this->Fixed);
       reportProgress(progress, 0.85);
       this->measure(candidate, progressPart(progress, 0.85, 1.0));
     }
@@ -107,15 +111,6 @@ public:
     }
   }
 
-  /// Nothing is left that inner nodes could cure.
-  bool isDone(const Candidate& candidate) const
-  {
-    return candidate.quality.notCertified == 0 ||
-      candidate.quality.notCertified <=
-      static_cast<Index>(
-        fixedCorners(candidate.points, candidate.hexes, this->Fixed).conflicts.size());
-  }
-
   void polish(const Progress& progress)
   {
     const Stopwatch watch;
@@ -141,7 +136,7 @@ public:
   SweepInterior result() &&
   {
     SweepInterior result;
-    result.fixed = fixedCorners(this->Best->points, this->Best->hexes, this->Fixed);
+    result.fixed = std::move(this->Best->fixed);
     result.points = std::move(this->Best->points);
     result.method = std::move(this->Best->method);
     result.steps = std::move(this->Steps);
@@ -151,8 +146,15 @@ public:
 private:
   void measure(Candidate& candidate, const Progress& progress) const
   {
-    candidate.quality = summarize(
-      hexQualities(candidate.points, candidate.hexes, true, this->Options.parallelFor, progress));
+    const std::vector<HexQuality> qualities =
+      hexQualities(candidate.points, candidate.hexes, true, this->Options.parallelFor, progress);
+    candidate.quality = summarize(qualities);
+    candidate.curable = 0;
+    for (std::size_t h = 0; h < qualities.size(); ++h)
+    {
+      candidate.curable += qualities[h].validity != Validity::Certified &&
+        !candidate.fixed.forbids(static_cast<Index>(h));
+    }
   }
   void finish(const std::string& name, Index notCertified, Index mended, const Stopwatch& watch)
   {
@@ -183,11 +185,11 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
     {
       Candidate candidate =
         cascade.start(starts[s], progressPart(progress, from, from + 0.5 * share));
-      if (options.ensureValid && !cascade.isDone(candidate))
+      if (options.ensureValid && candidate.curable > 0)
       {
         cascade.untangle(candidate, progressPart(progress, from + 0.5 * share, from + share));
       }
-      done = !options.ensureValid || cascade.isDone(candidate);
+      done = !options.ensureValid || candidate.curable == 0;
       cascade.keepBetter(std::move(candidate));
     }
     catch (const SolverFailure&)

@@ -145,7 +145,9 @@ TEST(HexUntangling, SaysWhatFixedNodesForbidAndMendsTheRest)
   const Index node = (3 * 6 + 3) * 6 + 3;
   start(node, 0) += 1.4;
   const auto fixed = hexsweep::fixedCorners(start, block.hexes, block.fixed);
-  ASSERT_EQ(fixed.conflicts, std::vector<Index>{ 0 });
+  ASSERT_EQ(fixed.conflicts.size(), 1u);
+  EXPECT_EQ(fixed.conflicts[0].hex, 0);
+  EXPECT_EQ(fixed.conflicts[0].cause, hexsweep::ConflictCause::Corner);
   EXPECT_LT(fixed.floor, 0.0);
   const UntangledHexes result =
     hexsweep::untangleHexes(start, block.hexes, cubes(block), block.fixed);

@@ -94,14 +94,14 @@ TEST(SweepInterior, WhatIsNotValidIsUntangled)
 
 TEST(SweepInterior, TheBestStartIsKept)
 {
-  const test::Sweep sweep = test::makeSweep(12, 9, false, test::evenLayers(6),
-    [](double x, double y, double t) { return Eigen::RowVector3d(x, y, 2 * t); });
-  SweepCage cage = cageOf(sweep);
-  // A ring that collapses cannot be mended.
-  for (const Index j : { 0, 1, 2 })
-  {
-    cage.boundary.rings[3].row(j) = cage.boundary.rings[3].row(3);
-  }
+  // A fold in a curved cap: no single corner forbids the interior, but untangling fails.
+  test::Sweep sweep =
+    test::makeSweep(12, 9, false, test::evenLayers(6), [](double x, double y, double t) {
+      const double bulge = 0.6 * x * (2 - x) * y * (1 - y);
+      return Eigen::RowVector3d(x, y, 2 * t + t * bulge);
+    });
+  sweep.target.row(inner(cageOf(sweep))) += Eigen::RowVector3d(0.25, 0.01, 0.0);
+  const SweepCage cage = cageOf(sweep);
   const InteriorStart collapsed{ "Collapsed", [](const SweepCage& c, const Progress&) {
                                   Points points = Points::Zero(7 * c.source.rows(), 3);
                                   hexsweep::setGivenPoints(
@@ -118,8 +118,33 @@ TEST(SweepInterior, TheBestStartIsKept)
   };
   const auto both = worth({ collapsed, failing, blend() });
   EXPECT_LT(both.first, 0);
+  EXPECT_TRUE(hexsweep::sweepInterior(cage, { blend() }, unpolished()).fixed.conflicts.empty());
   EXPECT_EQ(both, std::max(worth({ collapsed }), worth({ blend() })));
   EXPECT_THROW(worth({ failing, blend() }), hexsweep::SolverFailure);
+}
+
+TEST(SweepInterior, WhatTheCapsForbidDoesNotKeepItGoing)
+{
+  test::Sweep sweep = test::makeSweep(12, 9, false, test::evenLayers(6),
+    [](double x, double y, double t) { return Eigen::RowVector3d(x, y, 2 * t); });
+  // An inner node of the target drawn beyond its neighbours.
+  sweep.target.row(inner(cageOf(sweep))) += Eigen::RowVector3d(0.25, 0.01, 0.0);
+  const SweepCage cage = cageOf(sweep);
+  const auto result = hexsweep::sweepInterior(cage, { blend(), spoilt(), spoilt() }, {});
+  ASSERT_FALSE(result.fixed.conflicts.empty());
+  EXPECT_LE(result.steps.size(), 3u); // no other start
+  const auto qualities =
+    hexsweep::hexQualities(result.points, hexsweep::sweptHexes(cage.quads, result.points, 6));
+  Index bad = 0;
+  for (std::size_t h = 0; h < qualities.size(); ++h)
+  {
+    if (qualities[h].validity != hexsweep::Validity::Certified)
+    {
+      EXPECT_TRUE(result.fixed.forbids(static_cast<Index>(h))) << h;
+      ++bad;
+    }
+  }
+  EXPECT_GT(bad, 0);
 }
 
 TEST(SweepInterior, PolishIsTheLastStepAndNeverLowersTheMinimum)

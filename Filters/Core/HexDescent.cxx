@@ -367,11 +367,12 @@ HexDescent::Result HexDescent::descend(const Points& points, HexSamples where, d
   System& system = *this->Equations;
   const std::vector<Sample> samples = samplesOf(where);
   auto [value, gradient] = system.assemble(points, samples, epsilon);
-  Result result{ points, value, value, 0.0 };
+  Result result{ points, value, value, 0.0, 0 };
   for (int step = 0; step < steps && gradient.squaredNorm() > 0.0; ++step)
   {
     reportProgress(progress, static_cast<double>(step) / static_cast<double>(steps));
     const Eigen::VectorXd move = system.step(gradient);
+    ++result.steps;
     const double slope = move.dot(gradient);
     if (!move.allFinite() || !(slope < 0.0))
     {

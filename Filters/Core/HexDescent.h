@@ -52,6 +52,8 @@ public:
     double after;
     /// Over the samples of all hexahedra that have a free node, relative to the box.
     double leastDeterminant;
+    /// Newton steps taken.
+    Index steps = 0;
   };
 
   /**

@@ -7,6 +7,7 @@
 #include "HexPatches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace hexsweep
@@ -26,6 +27,9 @@ constexpr int NewtonSteps = 6;
 constexpr double Settled = 1e-3;     // relative decrease of the energy that ends a round
 constexpr double FirstEpsilon = 1.0; // of the box's volume
 constexpr double LeastRate = 0.3;    // by which the regularisation falls in a round
+constexpr double WorthMore = 0.5;    // part of the bad hexahedra left that earns a new budget
+constexpr double WorkForAny = 5e5;   // that any mesh may cost, see untanglingBudget()
+constexpr double WorkPerHex = 50.0;  // and each hexahedron besides
 
 /// How good a patch is: fewer bad hexahedra first, then the higher least scaled Jacobian.
 struct PatchQuality
@@ -96,12 +100,19 @@ struct PatchResult
   Points points;
   PatchQuality quality;
   Index rounds = 0;
+  double work = 0.0;
 };
 
-PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& free,
-  const Points& points, const Progress& progress)
+double workOfStep(Index hexes, HexSamples samples)
 {
-  PatchResult best{ points, measure(points, patch.hexes), 0 };
+  const double places = samples == HexSamples::Corners ? 1.0 : 27.0 / 8.0;
+  return places * std::pow(static_cast<double>(hexes), 4.0 / 3.0);
+}
+
+PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& free,
+  const Points& points, double budget, const Progress& progress)
+{
+  PatchResult best{ points, measure(points, patch.hexes) };
   const HexDescent descent(points, patch.hexes, patch.boxes, free);
   if (!descent.hasFreeNodes())
   {
@@ -111,22 +122,36 @@ PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& fr
   std::optional<PatchQuality> reached;
   double epsilon = FirstEpsilon;
   int stagnant = 0;
+  double limit = budget;
+  Index badAtLimit = best.quality.bad;
   for (int round = 0; round < MaximumRounds && stagnant < StagnantRounds && best.quality.bad > 0;
        ++round)
   {
     const HexSamples samples =
       current.quality.invertedCorners > 0 ? HexSamples::Corners : HexSamples::Lattice;
-    HexDescent::Result step =
-      descent.descend(current.points, samples, epsilon, NewtonSteps, Settled,
-        progressPart(progress, static_cast<double>(round) / MaximumRounds,
-          static_cast<double>(round + 1) / MaximumRounds));
+    const double workOfOne = workOfStep(patch.hexes.rows(), samples);
+    const double affordable = (limit - best.work) / workOfOne;
+    if (affordable < 1.0)
+    {
+      break;
+    }
+    HexDescent::Result step = descent.descend(current.points, samples, epsilon,
+      affordable < NewtonSteps ? static_cast<int>(affordable) : NewtonSteps, Settled,
+      progressPart(progress, static_cast<double>(round) / MaximumRounds,
+        static_cast<double>(round + 1) / MaximumRounds));
     current.points = std::move(step.points);
     current.quality = measure(current.points, patch.hexes);
     ++best.rounds;
+    best.work += static_cast<double>(step.steps) * workOfOne;
     if (current.quality.betterThan(best.quality))
     {
       best.points = current.points;
       best.quality = current.quality;
+      if (static_cast<double>(best.quality.bad) <= WorthMore * static_cast<double>(badAtLimit))
+      {
+        limit = best.work + budget;
+        badAtLimit = best.quality.bad;
+      }
     }
     const bool better = !reached || current.quality.isProgress(*reached);
     const bool progressed =
@@ -178,6 +203,11 @@ Points rowsOf(const Points& points, const std::vector<Index>& rows)
 }
 }
 
+double untanglingBudget(Index hexes)
+{
+  return WorkForAny + WorkPerHex * static_cast<double>(hexes);
+}
+
 UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
   const std::vector<bool>& fixed, const ParallelFor& parallelFor, const Progress& progress)
 {
@@ -199,13 +229,22 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
     const double begin = Judging + (1.0 - Judging) * attempt / Attempts;
     const double end = Judging + (1.0 - Judging) * (attempt + 1) / Attempts;
     const double width = (end - Judging - begin) / static_cast<double>(patches.size());
+    double cellsLeft = 0.0;
+    for (const HexPatch& patch : patches)
+    {
+      cellsLeft += static_cast<double>(patch.cells.size());
+    }
     for (std::size_t p = 0; p < patches.size(); ++p)
     {
       const HexPatch& patch = patches[p];
+      const double cells = static_cast<double>(patch.cells.size());
+      const double share = cells / cellsLeft * (untanglingBudget(hexes.rows()) - result.work);
+      cellsLeft -= cells;
       const double done = begin + static_cast<double>(p) * width;
       const PatchResult mended = untanglePatch(curable(patch, boxes, corners), patch.free,
-        rowsOf(result.points, patch.nodes), progressPart(progress, done, done + width));
+        rowsOf(result.points, patch.nodes), share, progressPart(progress, done, done + width));
       result.rounds += mended.rounds;
+      result.work += mended.work;
       for (std::size_t i = 0; i < patch.nodes.size(); ++i)
       {
         result.points.row(patch.nodes[i]) = mended.points.row(static_cast<Index>(i));

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace
 {
 using hexsweep::HexBoxes;
@@ -170,6 +173,24 @@ TEST(HexUntangling, FixedCornersOfAGoodBlock)
   points.row(0) << 0.5, 0.0, 0.0;
   const double expected = 1.0 / (std::hypot(0.5, 1.0) * std::hypot(0.5, 1.0));
   EXPECT_NEAR(hexsweep::fixedCorners(points, block.hexes, block.fixed).floor, expected, 1e-12);
+}
+
+TEST(HexUntangling, SpendsNoMoreThanItsBudget)
+{
+  // Far beyond repair within a few steps: nodes thrown over several cubes.
+  const Block block = test::makeBlock(6);
+  const Index count = block.hexes.rows();
+  const Points start = test::shaken(block, 5.0, 1);
+  const UntangledHexes result =
+    hexsweep::untangleHexes(start, block.hexes, cubes(block), block.fixed);
+  ASSERT_GT(result.before, count / 2);
+  // Every halving earns the budget once more.
+  const double extensions = std::log(static_cast<double>(result.before) /
+                              std::max(1.0, static_cast<double>(result.after))) /
+    std::log(2.0);
+  EXPECT_GT(result.work, 0.0);
+  EXPECT_LE(result.work, (1.0 + extensions) * hexsweep::untanglingBudget(count));
+  EXPECT_LE(result.after, result.before);
 }
 
 TEST(HexUntangling, CanBeAborted)

@@ -50,13 +50,13 @@ struct SweptMesh
   Eigen::Map<const hexsweep::Hexes> hexes() const { return hexsweep::hexView(this->connectivity); }
 };
 
-SweptMesh sweptMesh(Points points, const hexsweep::SweepCage& cage)
+SweptMesh sweptMesh(Points points, const hexsweep::SweepCage& cage, bool sourceIsBottom)
 {
   SweptMesh mesh;
   mesh.layers = cage.boundary.numberOfLayers();
   mesh.points = std::move(points);
-  mesh.connectivity = hexsweep::newSweptConnectivity(cage.quads, cage.source.rows(), mesh.layers,
-    hexsweep::sourceIsBottom(cage.quads, mesh.points, mesh.layers, hexsweep::smpFor()));
+  mesh.connectivity =
+    hexsweep::newSweptConnectivity(cage.quads, cage.source.rows(), mesh.layers, sourceIsBottom);
   return mesh;
 }
 
@@ -185,7 +185,7 @@ int vtkCageHexInterior::RequestData(
       // Judged as stored.
       points = points.cast<float>().cast<double>().eval();
     }
-    const SweptMesh mesh = sweptMesh(std::move(points), cage);
+    const SweptMesh mesh = sweptMesh(std::move(points), cage, interior.sourceIsBottom);
     const std::vector<HexQuality> qualities = hexsweep::hexQualities(mesh.points, mesh.hexes(),
       this->Certify, hexsweep::smpFor(), hexsweep::pipelineProgress(this, 0.9, 0.95));
     const hexsweep::HexQualitySummary summary = hexsweep::summarize(qualities);
@@ -224,7 +224,10 @@ int vtkCageHexInterior::RequestData(
     hexsweep::addStepReport(fieldData, interior, options);
     if (this->GenerateTopologicalModel)
     {
-      fillGrid(sweptMesh(modelOf(cage), cage), sourceData, cage.sourceCellIds,
+      Points model = modelOf(cage);
+      const bool sourceIsBottom = hexsweep::sourceIsBottom(
+        cage.quads, model, cage.boundary.numberOfLayers(), hexsweep::smpFor());
+      fillGrid(sweptMesh(std::move(model), cage, sourceIsBottom), sourceData, cage.sourceCellIds,
         this->OutputPointsPrecision, hexsweep::pipelineProgress(this, 0.98, 1.0),
         vtkUnstructuredGrid::GetData(outputs, 1));
     }

@@ -31,6 +31,7 @@ struct Candidate
 {
   Points points;
   Hexes hexes;
+  bool sourceIsBottom = true;
   HexQualitySummary quality;
   /// Not certified although inner nodes could change it.
   Index curable = 0;
@@ -78,6 +79,8 @@ public:
     Candidate candidate;
     candidate.points = start.method(this->Cage, progressPart(progress, 0.0, 0.8));
     candidate.method = start.name;
+    candidate.sourceIsBottom = hexsweep::sourceIsBottom(this->Cage.quads, candidate.points,
+      this->Cage.boundary.numberOfLayers(), this->Options.parallelFor);
     if (this->Options.ensureValid || this->Options.polishingRounds > 0)
     {
       reportProgress(progress, 0.8);
@@ -114,23 +117,46 @@ public:
   void polish(const Progress& progress)
   {
     const Stopwatch watch;
-    const HexQualitySummary before = this->Best->quality;
-    PolishedHexes polished = polishHexes(this->Best->points, this->Best->hexes, this->Fixed,
+    Candidate& best = *this->Best;
+    const HexQualitySummary quality = best.quality;
+    const Index curable = best.curable;
+    PolishedHexes polished = polishHexes(best.points, best.hexes, this->Fixed,
       this->Options.polishingRounds, this->Options.parallelFor, progressPart(progress, 0.0, 0.95));
-    std::swap(this->Best->points, polished.points);
-    this->measure(*this->Best, progressPart(progress, 0.95, 1.0));
+    std::swap(best.points, polished.points);
+    this->measure(best, progressPart(progress, 0.95, 1.0));
     // What the polish lowers is a sum over corners; now and then the mean falls with it.
-    if (this->Best->quality.meanScaledJacobian < before.meanScaledJacobian)
+    if (best.quality.meanScaledJacobian < quality.meanScaledJacobian)
     {
-      this->Best->points = std::move(polished.points);
-      this->Best->quality = before;
+      best.points = std::move(polished.points);
+      best.quality = quality;
+      best.curable = curable;
     }
     else
     {
-      this->Best->method += " + polish";
+      best.method += " + polish";
     }
-    this->finish("Polish", this->Best->quality.notCertified,
-      before.notCertified - this->Best->quality.notCertified, watch);
+    this->finish(
+      "Polish", best.quality.notCertified, quality.notCertified - best.quality.notCertified, watch);
+  }
+
+  /// The polish moves what the untangling left: another one may get further.
+  void tryAgain(int rounds, const Progress& progress)
+  {
+    for (int round = 0; round < rounds; ++round)
+    {
+      const Index before = this->Best->curable;
+      const double from = static_cast<double>(round) / rounds;
+      const double to = static_cast<double>(round + 1) / rounds;
+      if (before > 0)
+      {
+        this->untangle(*this->Best, progressPart(progress, from, 0.5 * (from + to)));
+      }
+      if (this->Best->curable == before)
+      {
+        return;
+      }
+      this->polish(progressPart(progress, 0.5 * (from + to), to));
+    }
   }
 
   SweepInterior result() &&
@@ -138,6 +164,7 @@ public:
     SweepInterior result;
     result.fixed = std::move(this->Best->fixed);
     result.points = std::move(this->Best->points);
+    result.sourceIsBottom = this->Best->sourceIsBottom;
     result.method = std::move(this->Best->method);
     result.steps = std::move(this->Steps);
     return result;
@@ -169,6 +196,9 @@ private:
 };
 
 constexpr double PolishingShare = 0.4;
+/// Of that, where untangling and polish are repeated.
+constexpr double RepeatedShare = 0.2;
+constexpr int Repetitions = 2;
 }
 
 SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorStart>& starts,
@@ -202,7 +232,9 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
   }
   if (options.polishingRounds > 0)
   {
-    cascade.polish(progressPart(progress, 1.0 - PolishingShare, 1.0));
+    const double again = 1.0 - RepeatedShare * PolishingShare;
+    cascade.polish(progressPart(progress, 1.0 - PolishingShare, again));
+    cascade.tryAgain(options.ensureValid ? Repetitions : 0, progressPart(progress, again, 1.0));
   }
   reportProgress(progress, 1.0);
   return std::move(cascade).result();

@@ -57,6 +57,8 @@ struct SweepInterior
 {
   /// (L + 1) n x 3, row k n + i is source point i on layer k.
   Points points;
+  /// Which way round the hexahedra were judged, see sourceIsBottom().
+  bool sourceIsBottom;
   /// The start that was kept and what followed, e.g. "Blend + untangling + polish".
   std::string method;
   std::vector<InteriorStep> steps;
@@ -69,8 +71,9 @@ struct SweepInterior
  * Tries the starts in order and stops at the first that is certified, by itself or after local
  * untangling (untangleHexes()); otherwise keeps the best: fewest hexahedra that are not Certified,
  * then the highest least scaled Jacobian. Then polishes (polishHexes()), which never lowers the
- * minimum nor loses a certificate, and is kept unless the mean falls. No step leaves a worse mesh
- * than it was given.
+ * minimum nor loses a certificate, and is kept unless the mean falls. What is not certified even
+ * then is untangled and polished again, as long as that mends something, twice at the most. No step
+ * leaves a worse mesh than it was given.
  *
  * Hexahedra that caps and linking sides alone make bad (SweepInterior::fixed) do not keep the
  * cascade going.

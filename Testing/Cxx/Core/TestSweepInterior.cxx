@@ -96,14 +96,14 @@ TEST(SweepInterior, TheBestStartIsKept)
 {
   // A fold in a curved cap: no single corner forbids the interior, but untangling fails.
   test::Sweep sweep =
-    test::makeSweep(12, 9, false, test::evenLayers(6), [](double x, double y, double t) {
+    test::makeSweep(8, 6, false, test::evenLayers(4), [](double x, double y, double t) {
       const double bulge = 0.6 * x * (2 - x) * y * (1 - y);
       return Eigen::RowVector3d(x, y, 2 * t + t * bulge);
     });
-  sweep.target.row(inner(cageOf(sweep))) += Eigen::RowVector3d(0.25, 0.01, 0.0);
+  sweep.target.row(inner(cageOf(sweep))) += Eigen::RowVector3d(0.4, 0.01, 0.0);
   const SweepCage cage = cageOf(sweep);
   const InteriorStart collapsed{ "Collapsed", [](const SweepCage& c, const Progress&) {
-                                  Points points = Points::Zero(7 * c.source.rows(), 3);
+                                  Points points = Points::Zero(5 * c.source.rows(), 3);
                                   hexsweep::setGivenPoints(
                                     c.source, c.target, c.quads, c.boundary, points);
                                   return points;
@@ -160,6 +160,35 @@ TEST(SweepInterior, PolishIsTheLastStepAndNeverLowersTheMinimum)
   EXPECT_GE(is.minScaledJacobian, was.minScaledJacobian);
   EXPECT_GT(is.meanScaledJacobian, was.meanScaledJacobian);
   EXPECT_EQ(is.notCertified, 0);
+}
+
+TEST(SweepInterior, UntangledAgainWhereThePolishLeavesBadHexes)
+{
+  // Caps that bend so much that not everything can be cured.
+  const SweepCage cage =
+    cageOf(test::makeSweep(12, 8, true, test::evenLayers(2), [](double x, double y, double t) {
+      const double u = std::sin(3 * x + 2 * y + 63);
+      const double v = std::sin(4 * y - 2 * x + 126);
+      const double w = std::sin(2 * x + 3 * y + 189);
+      return Eigen::RowVector3d(x + 0.24 * ((1 - t) * v + t * w), y + 0.24 * ((1 - t) * w + t * u),
+        1.5 * t + 0.8 * ((1 - t) * u + t * v));
+    }));
+  const auto result = hexsweep::sweepInterior(cage, { blend() }, {});
+  std::vector<std::string> names;
+  Index polished = 0;
+  for (const hexsweep::InteriorStep& step : result.steps)
+  {
+    polished = step.name == "Polish" && polished == 0 ? step.notCertified : polished;
+    names.push_back(step.name);
+  }
+  ASSERT_GE(names.size(), 4u);
+  EXPECT_EQ(names[2], "Polish");
+  EXPECT_EQ(names[3], "Untangling");
+  EXPECT_LE(names.size(), 7u); // twice at the most
+  EXPECT_LT(result.steps.back().notCertified, polished);
+  const auto after = test::judge(
+    result.points, hexsweep::sweptHexes(cage.quads, result.points, cage.boundary.numberOfLayers()));
+  EXPECT_EQ(after.notCertified, result.steps.back().notCertified);
 }
 
 TEST(SweepInterior, ProgressRisesAndAnAbortStopsTheWork)

@@ -118,10 +118,20 @@ std::string interiorAdvice(const PointsRef& points, Index pointsPerLayer, Index 
   const FixedCorners& fixed, const InteriorSettings& settings)
 {
   std::string text;
+  if (settings.lostByRounding > 0)
+  {
+    text = "single precision is too coarse for " + std::to_string(settings.lostByRounding) +
+      " of them: set OutputPointsPrecision to double, or move the mesh nearer to the origin.";
+    if (settings.lostByRounding >= bad)
+    {
+      return text;
+    }
+    text += "\nBesides, ";
+  }
   const Index conflicts = static_cast<Index>(fixed.conflicts.size());
   if (conflicts > 0)
   {
-    text = "caps and linking sides alone make " + std::to_string(conflicts) +
+    text += "caps and linking sides alone make " + std::to_string(conflicts) +
       " hexahedra bad, whatever the interior does:" +
       describeConflicts(points, pointsPerLayer, fixed);
     if (conflicts >= bad)

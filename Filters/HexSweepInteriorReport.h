@@ -58,6 +58,8 @@ struct InteriorSettings
 {
   bool ensureValid;
   bool automatic; ///< all methods one after the other
+  /// How many hexahedra are bad because coordinates are stored in single precision.
+  Index lostByRounding = 0;
 };
 
 /**

@@ -176,16 +176,14 @@ int vtkCageHexInterior::RequestData(
     options.polishingRounds =
       this->EnsureValid && this->ImproveQuality && this->Method == AUTOMATIC ? PolishingRounds : 0;
     options.parallelFor = hexsweep::smpFor();
+    if (this->OutputPointsPrecision == SINGLE_PRECISION)
+    {
+      options.precision = hexsweep::Precision::Single;
+    }
     hexsweep::SweepInterior interior =
       hexsweep::sweepInterior(cage, starts, options, hexsweep::pipelineProgress(this, 0.05, 0.9));
     clock.finish(interior.steps);
-    Points points = std::move(interior.points);
-    if (this->OutputPointsPrecision == SINGLE_PRECISION)
-    {
-      // Judged as stored.
-      points = points.cast<float>().cast<double>().eval();
-    }
-    const SweptMesh mesh = sweptMesh(std::move(points), cage, interior.sourceIsBottom);
+    const SweptMesh mesh = sweptMesh(std::move(interior.points), cage, interior.sourceIsBottom);
     const std::vector<HexQuality> qualities = hexsweep::hexQualities(mesh.points, mesh.hexes(),
       this->Certify, hexsweep::smpFor(), hexsweep::pipelineProgress(this, 0.9, 0.95));
     const hexsweep::HexQualitySummary summary = hexsweep::summarize(qualities);
@@ -193,7 +191,7 @@ int vtkCageHexInterior::RequestData(
     const hexsweep::JudgedHexes judged = judgedHexes(mesh, qualities, summary);
     const auto advice = [&]() {
       return hexsweep::interiorAdvice(mesh.points, cage.source.rows(), summary.notCertified,
-        interior.fixed, { this->EnsureValid, this->Method == AUTOMATIC });
+        interior.fixed, { this->EnsureValid, this->Method == AUTOMATIC, interior.lostByRounding });
     };
     if (summary.inverted + summary.degenerate > 0)
     {

@@ -110,7 +110,7 @@ double workOfStep(Index hexes, HexSamples samples)
 }
 
 PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& free,
-  const Points& points, double budget, const Progress& progress)
+  const Points& points, double budget, Precision precision, const Progress& progress)
 {
   PatchResult best{ points, measure(points, patch.hexes) };
   const HexDescent descent(points, patch.hexes, patch.boxes, free);
@@ -140,12 +140,13 @@ PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& fr
       progressPart(progress, static_cast<double>(round) / MaximumRounds,
         static_cast<double>(round + 1) / MaximumRounds));
     current.points = std::move(step.points);
-    current.quality = measure(current.points, patch.hexes);
+    Points rounded = stored(current.points, precision);
+    current.quality = measure(rounded, patch.hexes);
     ++best.rounds;
     best.work += static_cast<double>(step.steps) * workOfOne;
     if (current.quality.betterThan(best.quality))
     {
-      best.points = current.points;
+      best.points = std::move(rounded);
       best.quality = current.quality;
       if (static_cast<double>(best.quality.bad) <= WorthMore * static_cast<double>(badAtLimit))
       {
@@ -203,13 +204,20 @@ Points rowsOf(const Points& points, const std::vector<Index>& rows)
 }
 }
 
+Points stored(const PointsRef& points, Precision precision)
+{
+  return precision == Precision::Double ? Points(points)
+                                        : Points(points.cast<float>().cast<double>());
+}
+
 double untanglingBudget(Index hexes)
 {
   return WorkForAny + WorkPerHex * static_cast<double>(hexes);
 }
 
 UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
-  const std::vector<bool>& fixed, const ParallelFor& parallelFor, const Progress& progress)
+  const std::vector<bool>& fixed, const ParallelFor& parallelFor, const Progress& progress,
+  Precision precision)
 {
   UntangledHexes result;
   result.points = points;
@@ -242,7 +250,8 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
       cellsLeft -= cells;
       const double done = begin + static_cast<double>(p) * width;
       const PatchResult mended = untanglePatch(curable(patch, boxes, corners), patch.free,
-        rowsOf(result.points, patch.nodes), share, progressPart(progress, done, done + width));
+        rowsOf(result.points, patch.nodes), share, precision,
+        progressPart(progress, done, done + width));
       result.rounds += mended.rounds;
       result.work += mended.work;
       for (std::size_t i = 0; i < patch.nodes.size(); ++i)

@@ -12,6 +12,16 @@
 
 namespace hexsweep
 {
+/// How coordinates are stored in the end.
+enum class Precision
+{
+  Double,
+  Single
+};
+
+/// Rounded to what is stored.
+Points stored(const PointsRef& points, Precision precision);
+
 struct UntangledHexes
 {
   Points points;
@@ -49,11 +59,13 @@ double untanglingBudget(Index hexes);
  * @param hexes  m x 8 ids in [0, n).
  * @param boxes  m x 3: what each is to look like.
  * @param fixed  n entries: nodes that stay.
+ * @param precision nodes that move are rounded to it, and hexahedra are judged by the rounded
+ * nodes.
  * @throw Aborted when progress returns false.
  */
 UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
   const std::vector<bool>& fixed, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const Progress& progress = {}, Precision precision = Precision::Double);
 }
 
 #endif

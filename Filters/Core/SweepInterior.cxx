@@ -3,7 +3,6 @@
 
 #include "Errors.h"
 #include "HexPolishing.h"
-#include "HexUntangling.h"
 #include "SweptBoxes.h"
 #include "SweptHexes.h"
 
@@ -94,12 +93,13 @@ public:
     return candidate;
   }
 
-  void untangle(Candidate& candidate, const Progress& progress)
+  void untangle(
+    Candidate& candidate, const Progress& progress, Precision precision = Precision::Double)
   {
     const Stopwatch watch;
     UntangledHexes untangled = untangleHexes(candidate.points, candidate.hexes,
       sweptBoxes(candidate.points, this->Cage.quads, this->Cage.boundary), this->Fixed,
-      this->Options.parallelFor, progressPart(progress, 0.0, 0.9));
+      this->Options.parallelFor, progressPart(progress, 0.0, 0.9), precision);
     candidate.points = std::move(untangled.points);
     candidate.method += " + untangling";
     this->measure(candidate, progressPart(progress, 0.9, 1.0));
@@ -159,6 +159,26 @@ public:
     }
   }
 
+  void round(const Progress& progress)
+  {
+    const Stopwatch watch;
+    Candidate& best = *this->Best;
+    const Index before = best.quality.notCertified;
+    best.points = stored(best.points, Precision::Single);
+    if (best.hexes.rows() == 0) // nobody looks at them
+    {
+      return;
+    }
+    best.fixed = fixedCorners(best.points, best.hexes, this->Fixed);
+    this->measure(best, progressPart(progress, 0.0, 0.1));
+    this->finish("Rounding", best.quality.notCertified, before - best.quality.notCertified, watch);
+    if (this->Options.ensureValid && best.curable > 0 && best.quality.notCertified > before)
+    {
+      this->untangle(best, progressPart(progress, 0.1, 1.0), Precision::Single);
+    }
+    this->LostByRounding = std::max<Index>(0, best.quality.notCertified - before);
+  }
+
   SweepInterior result() &&
   {
     SweepInterior result;
@@ -167,6 +187,7 @@ public:
     result.sourceIsBottom = this->Best->sourceIsBottom;
     result.method = std::move(this->Best->method);
     result.steps = std::move(this->Steps);
+    result.lostByRounding = this->LostByRounding;
     return result;
   }
 
@@ -193,8 +214,10 @@ private:
   std::vector<bool> Fixed;
   std::optional<Candidate> Best;
   std::vector<InteriorStep> Steps;
+  Index LostByRounding = 0;
 };
 
+constexpr double RoundingShare = 0.05;
 constexpr double PolishingShare = 0.4;
 /// Of that, where untangling and polish are repeated.
 constexpr double RepeatedShare = 0.2;
@@ -232,9 +255,14 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
   }
   if (options.polishingRounds > 0)
   {
-    const double again = 1.0 - RepeatedShare * PolishingShare;
+    const double end = 1.0 - RoundingShare;
+    const double again = end - RepeatedShare * PolishingShare;
     cascade.polish(progressPart(progress, 1.0 - PolishingShare, again));
-    cascade.tryAgain(options.ensureValid ? Repetitions : 0, progressPart(progress, again, 1.0));
+    cascade.tryAgain(options.ensureValid ? Repetitions : 0, progressPart(progress, again, end));
+  }
+  if (options.precision == Precision::Single)
+  {
+    cascade.round(progressPart(progress, 1.0 - RoundingShare, 1.0));
   }
   reportProgress(progress, 1.0);
   return std::move(cascade).result();

@@ -8,6 +8,7 @@
 
 #include "FixedCorners.h"
 #include "HexQuality.h"
+#include "HexUntangling.h"
 #include "ParallelFor.h"
 #include "SweepBoundary.h"
 
@@ -39,6 +40,8 @@ struct InteriorOptions
   bool ensureValid = true;
   /// Polish what is valid: this often round the mesh.
   int polishingRounds = 6;
+  /// That of the result: rounded at the end, and untangled again where that made hexahedra bad.
+  Precision precision = Precision::Double;
   ParallelFor parallelFor = {};
 };
 
@@ -65,6 +68,8 @@ struct SweepInterior
   /// Of the hexahedra of sweptHexes(). Not looked for where nothing was to be untangled or
   /// polished.
   FixedCorners fixed;
+  /// How many more hexahedra are not Certified than before the coordinates were rounded.
+  Index lostByRounding = 0;
 };
 
 /**

@@ -191,6 +191,36 @@ TEST(SweepInterior, UntangledAgainWhereThePolishLeavesBadHexes)
   EXPECT_EQ(after.notCertified, result.steps.back().notCertified);
 }
 
+TEST(SweepInterior, SinglePrecisionIsUntangledAsItIsStored)
+{
+  // Thin layers so far from the origin that a layer is a few units of the last place high.
+  const double offset = 2e5;
+  const SweepCage cage =
+    cageOf(test::makeSweep(10, 8, false, test::evenLayers(8), [=](double x, double y, double t) {
+      const double wave = 0.12 * std::sin(4 * x) * std::sin(4 * y) * (1 - t);
+      return Eigen::RowVector3d(x + offset, y - offset, 0.3 * t + wave + offset);
+    }));
+  const auto precise = hexsweep::sweepInterior(cage, { blend() }, {});
+  ASSERT_EQ(judge(cage, precise.points).notCertified, 0);
+  EXPECT_EQ(precise.lostByRounding, 0);
+  const Points rounded = hexsweep::stored(precise.points, hexsweep::Precision::Single);
+  const Index lost = judge(cage, rounded).notCertified;
+  ASSERT_GT(lost, 5);
+
+  InteriorOptions options;
+  options.precision = hexsweep::Precision::Single;
+  const auto result = hexsweep::sweepInterior(cage, { blend() }, options);
+  EXPECT_EQ(result.points, hexsweep::stored(result.points, hexsweep::Precision::Single));
+  EXPECT_EQ(result.points.topRows(cage.source.rows()),
+    hexsweep::stored(cage.source, hexsweep::Precision::Single));
+  EXPECT_EQ(judge(cage, result.points).notCertified, 0);
+  EXPECT_EQ(result.lostByRounding, 0);
+  ASSERT_GE(result.steps.size(), 2u);
+  EXPECT_EQ(result.steps[result.steps.size() - 2].name, "Rounding");
+  EXPECT_EQ(result.steps[result.steps.size() - 2].notCertified, lost);
+  EXPECT_EQ(result.steps.back().name, "Untangling");
+}
+
 TEST(SweepInterior, ProgressRisesAndAnAbortStopsTheWork)
 {
   const SweepCage cage =

@@ -573,6 +573,25 @@ TEST(CageHexInterior, AdviceFitsTheSettings)
   EXPECT_TRUE(has(all, "check the target quads") && !has(all, "Automatic")) << all;
 }
 
+TEST(CageHexInterior, WhatSinglePrecisionSpoilsIsNamed)
+{
+  // A layer is lower than a unit of the last place there.
+  Sweep sweep = test::makeSweep(6, 5, false, test::evenLayers(4),
+    [](double x, double y, double t) { return Eigen::RowVector3d(x, y, 1e6 + 0.1 * t); });
+  Case precise(sweep);
+  precise.run();
+  EXPECT_TRUE(precise.events.warnings.empty());
+  EXPECT_EQ(precise.report("NotCertified"), 0);
+  Case single(sweep);
+  single.filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  single.run();
+  EXPECT_GT(single.report("NotCertified"), 0);
+  ASSERT_EQ(single.events.warnings.size(), 1u);
+  const std::string& text = single.events.warnings.front();
+  EXPECT_NE(text.find("single precision is too coarse"), std::string::npos) << text;
+  EXPECT_NE(text.find("set OutputPointsPrecision to double"), std::string::npos) << text;
+}
+
 TEST(CageHexInterior, EmptyInput)
 {
   Case source(someSweep());

@@ -7,6 +7,10 @@
 
 #include <vtkMeshQuality.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace
 {
 using test::report;
@@ -166,6 +170,40 @@ void PrintTo(const Bend& bend, std::ostream* os)
   *os << bend.name;
 }
 
+/// Least and mean scaled Jacobian that the hexes of a bent case have reached.
+struct BentReached
+{
+  const char* name;
+  const char* bend;
+  double minimum, mean;
+};
+
+BentReached bentReached(const std::string& name, const std::string& bend)
+{
+  static const std::vector<BentReached> all{ { "c_open", "sphere", 0.090, 0.900 },
+    { "c_open", "saddle", 0.729, 0.922 }, { "c_open", "cone", 0.693, 0.921 },
+    { "c_open", "sphereOneCap", 0.189, 0.960 }, { "c_open", "saddleOpposite", 0.679, 0.954 },
+    { "c_open", "coneOpposite", 0.642, 0.944 },
+    { "fig8_concave_twisted_hole", "sphere", 0.131, 0.849 },
+    { "fig8_concave_twisted_hole", "saddle", 0.114, 0.840 },
+    { "fig8_concave_twisted_hole", "cone", 0.107, 0.851 },
+    { "fig8_concave_twisted_hole", "sphereOneCap", 0.191, 0.880 },
+    { "fig8_concave_twisted_hole", "saddleOpposite", 0.200, 0.877 },
+    { "fig8_concave_twisted_hole", "coneOpposite", 0.181, 0.873 },
+    { "gear_round", "sphere", 0.039, 0.878 }, { "gear_round", "saddle", 0.031, 0.865 },
+    { "gear_round", "cone", 0.039, 0.846 }, { "gear_round", "sphereOneCap", 0.039, 0.913 },
+    { "gear_round", "saddleOpposite", 0.036, 0.912 },
+    { "gear_round", "coneOpposite", 0.039, 0.905 }, { "hole_twist120", "sphere", 0.211, 0.720 },
+    { "hole_twist120", "saddle", 0.170, 0.719 }, { "hole_twist120", "cone", 0.176, 0.719 },
+    { "hole_twist120", "sphereOneCap", 0.189, 0.778 },
+    { "hole_twist120", "saddleOpposite", 0.161, 0.779 },
+    { "hole_twist120", "coneOpposite", 0.194, 0.777 } };
+  const auto found = std::find_if(all.begin(), all.end(),
+    [&](const BentReached& reached) { return name == reached.name && bend == reached.bend; });
+  EXPECT_NE(found, all.end()) << name << " " << bend;
+  return found == all.end() ? BentReached{ "", "", 1.0, 1.0 } : *found;
+}
+
 class BentSweeps : public testing::TestWithParam<std::tuple<const char*, Bend>>
 {
 };
@@ -181,6 +219,9 @@ TEST_P(BentSweeps, EveryElementIsValid)
   ASSERT_GT(hexes.hexes, 0);
   EXPECT_EQ(hexes.inverted, 0);
   EXPECT_EQ(hexes.notCertified, 0);
+  const BentReached reached = bentReached(name, bend.name);
+  EXPECT_GE(hexes.minimum, LeastShare * reached.minimum);
+  EXPECT_GE(hexes.mean, reached.mean - MeanRoom);
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, BentSweeps,

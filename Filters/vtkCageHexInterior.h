@@ -27,9 +27,9 @@
  * also `SweepReportSteps` with `SweepReportStepNotCertified` (how many hexahedra are not certified
  * after each step) and `SweepReportStepMended` (how many fewer than before it),
  * `SweepReportFloorScaledJacobian` (the least scaled Jacobian of corners whose four nodes are on
- * the boundary: no interior can be better) and `SweepReportCornerConflicts` (hexahedra that caps and
- * linking sides alone make bad, by corners that contradict each other, folds, columns that run back
- * or points that coincide).
+ * the boundary: no interior can be better) and `SweepReportCornerConflicts` (hexahedra that caps
+ * and linking sides alone make bad, by corners that contradict each other, folds, columns that run
+ * back or points that coincide).
  *
  * Inverted or degenerate hexahedra raise a warning that says how many, where the first ten are and
  * what to do. Input that cannot be swept raises one error, and the output is empty.

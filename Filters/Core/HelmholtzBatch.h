@@ -30,18 +30,23 @@ struct HelmholtzSolution
 {
   std::vector<double> values;
   Index size = 0;
+  /// Not so: given up, values are of no use. HelmholtzDirectSolver costs less then.
+  std::array<bool, LanesPerBatch> isSolved{};
   int iterations = 0;
 };
 
 /**
  * Solves (K + lambda M) u = load for the eight modes and three components of a batch.
  *
- * Conjugate gradients in single precision inside iterative refinement in double precision, with
- * the preconditioner of PrismKernels.h, relaxed modified incomplete Cholesky (O. Axelsson, G.
- * Lindskog, "On the eigenvalue distribution of a class of preconditioning methods", 1986); double
- * precision with symmetric Gauss-Seidel where that does not converge. Only nodes that the solution
- * reaches take part: with no load inside, it falls like exp(-sqrt(lambda) d) with the distance d to
- * the given nodes. That is estimated first, and checked on the solution.
+ * Conjugate gradients in single precision inside iterative refinement in double precision. The
+ * preconditioner of PrismKernels.h is relaxed modified incomplete Cholesky (O. Axelsson, G.
+ * Lindskog, "On the eigenvalue distribution of a class of preconditioning methods", 1986), or
+ * symmetric Gauss-Seidel where that does not do. Only nodes that the solution reaches take part:
+ * with no load inside, it falls like exp(-sqrt(lambda) d) with the distance d to the given nodes.
+ * That is estimated first, and checked on the solution.
+ *
+ * On poor quads low modes may take hundreds of iterations. Every few iterations the solver counts
+ * what is left at the present rate, and gives up the modes that cost less to solve directly.
  *
  * An object keeps its memory from batch to batch and serves one thread at a time; a result does not
  * depend on what was solved before.
@@ -52,24 +57,21 @@ public:
   HelmholtzBatchSolver(const HelmholtzMesh& mesh, const PrismKernels& kernels);
 
   /// @return the solution, kept until the next call.
-  /// @throw SolverFailure when the iteration does not converge.
   const HelmholtzSolution& solve(const HelmholtzProblems& problems);
 
 private:
-  template <typename Real>
   struct Vectors
   {
-    std::vector<Real> pivot, inverse, x, r, p, t, s;
+    std::vector<float> pivot, inverse, x, r, p, t, s;
   };
-  template <typename Real>
   class Iteration;
+  void clearUnsolved();
 
   const HelmholtzMesh& Mesh;
   const PrismKernels& Kernels;
   HelmholtzSolution Solution;
   std::vector<double> Residual;
-  Vectors<float> InSingle;
-  Vectors<double> InDouble;
+  Vectors Memory;
 };
 }
 

@@ -37,7 +37,6 @@ MultifrontalSolver::MultifrontalSolver(
 
   std::vector<std::vector<Index>> children(dissection.parts.size());
   std::vector<Index> seen(at(n), -1); // the last front that a place was put into
-  Index values = 0;
   for (std::size_t f = 0; f < dissection.parts.size(); ++f)
   {
     const Dissection::Part& part = dissection.parts[f];
@@ -67,16 +66,15 @@ MultifrontalSolver::MultifrontalSolver(
     std::sort(this->Borders.begin() + border, this->Borders.end());
     const Index borderSize = static_cast<Index>(this->Borders.size()) - border;
     const Index pivots = part.end - part.begin;
-    const Index lower = values;
+    const Index lower = this->ValuesNeeded;
     const Index upper = lower + pivots * (pivots + borderSize);
-    values = kind == Kind::LU ? upper + pivots * borderSize : upper;
+    this->ValuesNeeded = kind == Kind::LU ? upper + pivots * borderSize : upper;
     this->Fronts.push_back({ part.begin, pivots, part.parent, border, borderSize, lower, upper });
     if (part.parent >= 0)
     {
       children[at(part.parent)].push_back(static_cast<Index>(f));
     }
   }
-  this->Values.resize(at(values));
   if (kind == Kind::LU)
   {
     this->Pivoting.resize(at(n));
@@ -194,6 +192,7 @@ bool MultifrontalSolver::eliminate(const Front& front, Update& update)
 
 void MultifrontalSolver::factorize(const SparseMatrix& matrix)
 {
+  this->Values.resize(at(this->ValuesNeeded));
   std::vector<Update> updates(this->Fronts.size());
   std::vector<std::vector<std::size_t>> children(this->Fronts.size());
   std::vector<Index> local(this->Order.size());

@@ -95,7 +95,8 @@ private:
   std::vector<Index> Place; // inverse of Order
   std::vector<Front> Fronts;
   std::vector<Index> Borders; // places, rising within a front
-  std::vector<double> Values;
+  std::vector<double> Values; // none before the first factorisation
+  Index ValuesNeeded = 0;
   std::vector<int> Pivoting; // LU: rows of a front's pivots in the order they were taken
 };
 }

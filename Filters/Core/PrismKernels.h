@@ -53,32 +53,31 @@ struct HelmholtzSystem
  *
  * Vectors are size x BatchWidth; pivots D and their inverses size x LanesPerBatch.
  */
-template <typename Real>
 struct HelmholtzKernels
 {
+  using System = HelmholtzSystem<float>;
   /// D. `relaxation` is how much of the neglected fill is added to the diagonal (0 ... 1), `least`
   /// the least pivot over the diagonal entry; 0 and 1 give the symmetric Gauss-Seidel method.
   void (*factorize)(
-    const HelmholtzSystem<Real>& system, Real relaxation, Real least, Real* pivot, Real* inverse);
+    const System& system, float relaxation, float least, float* pivot, float* inverse);
   /// r = (D + L)^-1 b; returns sum r D r of each lane.
-  void (*start)(const HelmholtzSystem<Real>& system, const Real* inverse, const Real* pivot,
-    const Real* b, Real* r, double* rho);
+  void (*start)(const System& system, const float* inverse, const float* pivot, const float* b,
+    float* r, double* rho);
   /// p = r + beta p; t = (D + L^T)^-1 D p.
-  void (*backward)(const HelmholtzSystem<Real>& system, const Real* inverse, const Real* r,
-    const double* beta, Real* p, Real* t);
+  void (*backward)(const System& system, const float* inverse, const float* r, const double* beta,
+    float* p, float* t);
   /// s = (D + L)^-1 (D p - (2 D - D_A) t); returns sum p D (s + t).
-  void (*forward)(const HelmholtzSystem<Real>& system, const Real* inverse, const Real* pivot,
-    const Real* p, const Real* t, Real* s, double* curvature);
+  void (*forward)(const System& system, const float* inverse, const float* pivot, const float* p,
+    const float* t, float* s, double* curvature);
   /// x += alpha t; r -= alpha (s + t); returns sum r D r.
-  void (*update)(const HelmholtzSystem<Real>& system, const Real* pivot, const Real* t,
-    const Real* s, const double* alpha, Real* x, Real* r, double* rho);
+  void (*update)(const System& system, const float* pivot, const float* t, const float* s,
+    const double* alpha, float* x, float* r, double* rho);
 };
 
 struct PrismKernels
 {
   const char* name;
-  HelmholtzKernels<double> inDouble;
-  HelmholtzKernels<float> inSingle;
+  HelmholtzKernels iteration;
   /// r -= (K + lambda M) x
   void (*residual)(const HelmholtzSystem<double>& system, const double* x, double* r);
   /// C = A B, row-major; A rows x inner, B inner x PanelWidth, C rows x PanelWidth, its rows one

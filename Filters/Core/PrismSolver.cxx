@@ -2,6 +2,7 @@
 #include "PrismSolver.h"
 
 #include "Errors.h"
+#include "HelmholtzDirect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,39 +52,39 @@ std::vector<char> givenPoints(const QuadLaplacian& laplacian, const std::vector<
   return given;
 }
 
-/// Solvers that no thread uses at the moment.
+/// Copies of a solver that no thread uses at the moment.
+template <typename Solver>
 class IdleSolvers
 {
 public:
-  IdleSolvers(const HelmholtzMesh& mesh, const PrismKernels& kernels)
-    : Mesh(mesh)
-    , Kernels(kernels)
+  /// @param first is never used itself.
+  explicit IdleSolvers(Solver first)
+    : First(std::move(first))
   {
   }
 
-  std::unique_ptr<HelmholtzBatchSolver> take()
+  std::unique_ptr<Solver> take()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     if (this->Idle.empty())
     {
-      return std::make_unique<HelmholtzBatchSolver>(this->Mesh, this->Kernels);
+      return std::make_unique<Solver>(this->First);
     }
     auto solver = std::move(this->Idle.back());
     this->Idle.pop_back();
     return solver;
   }
 
-  void giveBack(std::unique_ptr<HelmholtzBatchSolver> solver)
+  void giveBack(std::unique_ptr<Solver> solver)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     this->Idle.push_back(std::move(solver));
   }
 
 private:
-  const HelmholtzMesh& Mesh;
-  const PrismKernels& Kernels;
+  const Solver First;
   std::mutex Guard;
-  std::vector<std::unique_ptr<HelmholtzBatchSolver>> Idle;
+  std::vector<std::unique_ptr<Solver>> Idle;
 };
 
 /// Runs pieces of work and asks after every piece, or every few where other threads run them.
@@ -130,10 +131,9 @@ PrismSolver::PrismSolver(const QuadLaplacian& laplacian, Index numberOfLayers, d
 {
 }
 
-PrismSolver::CapLoad PrismSolver::capLoad(const Points& values) const
+void PrismSolver::addCaps(const Points& values, Sources& sources) const
 {
   const Index n = this->NumberOfPoints;
-  CapLoad load;
   const Index top = (this->Modes.fractions.size() - 1) * n;
   bool zero = true;
   for (Index i = 0; i < n && zero; ++i)
@@ -143,18 +143,17 @@ PrismSolver::CapLoad PrismSolver::capLoad(const Points& values) const
   }
   if (zero)
   {
-    return load;
+    return;
   }
   const Points first = -(this->Stiffness * values.topRows(n));
   const Points last = -(this->Stiffness * values.bottomRows(n));
-  load.first.resize(this->Mesh.size(), 3);
-  load.last.resize(this->Mesh.size(), 3);
+  sources.first.resize(this->Mesh.size(), 3);
+  sources.last.resize(this->Mesh.size(), 3);
   for (Index i = 0; i < this->Mesh.size(); ++i)
   {
-    load.first.row(i) = first.row(this->Mesh.ids[at(i)]);
-    load.last.row(i) = last.row(this->Mesh.ids[at(i)]);
+    sources.first.row(i) = first.row(this->Mesh.ids[at(i)]);
+    sources.last.row(i) = last.row(this->Mesh.ids[at(i)]);
   }
-  return load;
 }
 
 /// Modes x 3 numbers for each given point; what the caps carry inside is subtracted.
@@ -176,38 +175,50 @@ Eigen::MatrixXd PrismSolver::sideCoefficients(const Points& values) const
   return this->Modes.analysis * sides;
 }
 
-HelmholtzProblems PrismSolver::problems(
-  Index batch, const Eigen::MatrixXd& sides, const CapLoad& caps, double accuracy) const
+Eigen::RowVector3d PrismSolver::loadOf(Index mode, Index node, const Sources& sources) const
+{
+  Eigen::RowVector3d load = Eigen::RowVector3d::Zero();
+  const double lambda = this->Modes.eigenvalues[mode];
+  const MatrixPart& coupling = this->Mesh.coupling;
+  for (Index e = coupling.begin[at(node)]; e < coupling.begin[at(node + 1)]; ++e)
+  {
+    load -= (coupling.inDouble.stiffness[at(e)] + lambda * coupling.inDouble.mass[at(e)]) *
+      sources.sides.block<1, 3>(mode, 3 * static_cast<Index>(coupling.column[at(e)]));
+  }
+  if (sources.first.rows() > 0)
+  {
+    load += this->Modes.firstLoad[mode] * sources.first.row(node) +
+      this->Modes.lastLoad[mode] * sources.last.row(node);
+  }
+  return load;
+}
+
+/// Of the coefficients of a mode, from that of the solution.
+double PrismSolver::toleranceOf(Index mode, const Sources& sources) const
+{
+  return ModeAccuracy * sources.greatest / this->Modes.functions.col(mode).cwiseAbs().maxCoeff();
+}
+
+HelmholtzProblems PrismSolver::problems(Index batch, const Sources& sources) const
 {
   const Index modes = this->Modes.eigenvalues.size();
   HelmholtzProblems problems;
-  problems.loadEnd = caps.first.rows() > 0 ? this->Mesh.size() : this->Mesh.levels[1];
+  problems.loadEnd = sources.first.rows() > 0 ? this->Mesh.size() : this->Mesh.levels[1];
   problems.load.assign(at(problems.loadEnd * BatchWidth), 0.0);
   for (Index lane = 0; lane < LanesPerBatch; ++lane)
   {
     const Index mode = std::min(batch * LanesPerBatch + lane, modes - 1);
-    const double lambda = this->Modes.eigenvalues[mode];
-    problems.lambda[at(lane)] = lambda;
-    problems.tolerance[at(lane)] = accuracy / this->Modes.functions.col(mode).cwiseAbs().maxCoeff();
+    problems.lambda[at(lane)] = this->Modes.eigenvalues[mode];
+    problems.tolerance[at(lane)] = this->toleranceOf(mode, sources);
     if (batch * LanesPerBatch + lane >= modes)
     {
       continue; // no load: nothing to solve
     }
-    problems.amplitude[at(lane)] = sides.cols() > 0 ? sides.row(mode).cwiseAbs().maxCoeff() : 0.0;
+    problems.amplitude[at(lane)] =
+      sources.sides.cols() > 0 ? sources.sides.row(mode).cwiseAbs().maxCoeff() : 0.0;
     for (Index i = 0; i < problems.loadEnd; ++i)
     {
-      Eigen::RowVector3d load = Eigen::RowVector3d::Zero();
-      const MatrixPart& coupling = this->Mesh.coupling;
-      for (Index e = coupling.begin[at(i)]; e < coupling.begin[at(i + 1)]; ++e)
-      {
-        load -= (coupling.inDouble.stiffness[at(e)] + lambda * coupling.inDouble.mass[at(e)]) *
-          sides.block<1, 3>(mode, 3 * static_cast<Index>(coupling.column[at(e)]));
-      }
-      if (caps.first.rows() > 0)
-      {
-        load += this->Modes.firstLoad[mode] * caps.first.row(i) +
-          this->Modes.lastLoad[mode] * caps.last.row(i);
-      }
+      const Eigen::RowVector3d load = this->loadOf(mode, i, sources);
       for (Index c = 0; c < 3; ++c)
       {
         problems.load[at(i * BatchWidth + c * LanesPerBatch + lane)] = load[c];
@@ -215,6 +226,60 @@ HelmholtzProblems PrismSolver::problems(
     }
   }
   return problems;
+}
+
+/// @return the modes that were given up.
+std::vector<Index> PrismSolver::solveBatches(const Sources& sources, const PrismKernels& kernels,
+  const Progress& progress, const ParallelFor& parallelFor, Points& values) const
+{
+  const Index modes = this->Modes.eigenvalues.size();
+  const Index batches = (modes + LanesPerBatch - 1) / LanesPerBatch;
+  std::vector<char> isSolved(at(batches * LanesPerBatch));
+  IdleSolvers<HelmholtzBatchSolver> solvers({ this->Mesh, kernels });
+  runPieces(parallelFor, progress, batches, [&](Index batch) {
+    auto solver = solvers.take();
+    const HelmholtzSolution& solution = solver->solve(this->problems(batch, sources));
+    this->storeModes(batch, solution, values);
+    std::copy(
+      solution.isSolved.begin(), solution.isSolved.end(), isSolved.begin() + batch * LanesPerBatch);
+    solvers.giveBack(std::move(solver));
+  });
+  std::vector<Index> rest;
+  for (Index mode = 0; mode < modes; ++mode)
+  {
+    if (!isSolved[at(mode)])
+    {
+      rest.push_back(mode);
+    }
+  }
+  return rest;
+}
+
+void PrismSolver::solveDirectly(const std::vector<Index>& modes, const Sources& sources,
+  const Progress& progress, const ParallelFor& parallelFor, Points& values) const
+{
+  if (modes.empty())
+  {
+    return;
+  }
+  IdleSolvers<HelmholtzDirectSolver> solvers(HelmholtzDirectSolver(this->Mesh));
+  runPieces(parallelFor, progress, static_cast<Index>(modes.size()), [&](Index piece) {
+    const Index mode = modes[at(piece)];
+    const bool hasCaps = sources.first.rows() > 0;
+    Points load = Points::Zero(this->Mesh.size(), 3);
+    for (Index i = 0; i < (hasCaps ? this->Mesh.size() : this->Mesh.levels[1]); ++i)
+    {
+      load.row(i) = this->loadOf(mode, i, sources);
+    }
+    auto solver = solvers.take();
+    const Points solution =
+      solver->solve(this->Modes.eigenvalues[mode], load, this->toleranceOf(mode, sources));
+    solvers.giveBack(std::move(solver));
+    for (Index i = 0; i < this->Mesh.size(); ++i)
+    {
+      values.row((mode + 1) * this->NumberOfPoints + this->Mesh.ids[at(i)]) = solution.row(i);
+    }
+  });
 }
 
 /// Coefficients of mode j go where the values of layer j + 1 will be.
@@ -375,20 +440,16 @@ Points PrismSolver::extend(
     }
     return values;
   }
-  const double accuracy = ModeAccuracy * greatest;
-  const CapLoad caps = this->capLoad(values);
-  const bool hasCaps = caps.first.rows() > 0;
-  const Eigen::MatrixXd sides = this->sideCoefficients(values);
+  Sources sources;
+  sources.greatest = greatest;
+  sources.sides = this->sideCoefficients(values);
+  this->addCaps(values, sources);
+  const bool hasCaps = sources.first.rows() > 0;
 
   const PrismKernels& kernels = prismKernels();
-  IdleSolvers solvers(this->Mesh, kernels);
-  const Index batches = (layers - 1 + LanesPerBatch - 1) / LanesPerBatch;
-  runPieces(parallelFor, progressPart(progress, 0.0, 0.8), batches, [&](Index batch) {
-    auto solver = solvers.take();
-    const HelmholtzProblems problems = this->problems(batch, sides, caps, accuracy);
-    this->storeModes(batch, solver->solve(problems), values);
-    solvers.giveBack(std::move(solver));
-  });
+  const std::vector<Index> givenUp =
+    this->solveBatches(sources, kernels, progressPart(progress, 0.0, 0.6), parallelFor, values);
+  this->solveDirectly(givenUp, sources, progressPart(progress, 0.6, 0.8), parallelFor, values);
   runPieces(parallelFor, progressPart(progress, 0.8, 1.0),
     (n + PointsPerPiece - 1) / PointsPerPiece, [&](Index piece) {
       Panel coefficients = Panel::Zero(PointsAtOnce / PointsPerPanel * (layers - 1), PanelWidth);

@@ -26,7 +26,7 @@ namespace hexsweep
  * leave one sparse problem (K2 + lambda_j M2) u_j = f_j on the quads for each mode j = 1 ... L - 1:
  * the fast Poisson solvers of Buzbee, Golub, Nielson ("On direct methods for solving Poisson's
  * equations", 1970). Eight modes with their three components are solved side by side, see
- * solveHelmholtz().
+ * HelmholtzBatchSolver; those that converge too slowly directly, see HelmholtzDirectSolver.
  *
  * The result equals that of the assembled three-dimensional system to 1e-10 of the greatest given
  * value; the modes are solved to about 1e-12 of it. It is the same, bit for bit, with any number of
@@ -75,15 +75,22 @@ private:
   /// even functions first.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Synthesis;
 
-  /// What the caps' values add to the right-hand sides, or no rows where all of them are zero.
-  struct CapLoad
+  /// What the modes' right-hand sides are made of.
+  struct Sources
   {
-    Points first, last;
+    double greatest = 0.0; ///< given value
+    Eigen::MatrixXd sides; ///< coefficients of each mode at the given points
+    Points first, last;    ///< what the caps' values add; no rows where all of them are zero
   };
-  CapLoad capLoad(const Points& values) const;
+  void addCaps(const Points& values, Sources& sources) const;
   Eigen::MatrixXd sideCoefficients(const Points& values) const;
-  HelmholtzProblems problems(
-    Index batch, const Eigen::MatrixXd& sides, const CapLoad& caps, double accuracy) const;
+  Eigen::RowVector3d loadOf(Index mode, Index node, const Sources& sources) const;
+  double toleranceOf(Index mode, const Sources& sources) const;
+  HelmholtzProblems problems(Index batch, const Sources& sources) const;
+  std::vector<Index> solveBatches(const Sources& sources, const PrismKernels& kernels,
+    const Progress& progress, const ParallelFor& parallelFor, Points& values) const;
+  void solveDirectly(const std::vector<Index>& modes, const Sources& sources,
+    const Progress& progress, const ParallelFor& parallelFor, Points& values) const;
   void storeModes(Index batch, const HelmholtzSolution& solution, Points& values) const;
   using Panel = Eigen::Matrix<double, Eigen::Dynamic, PanelWidth, Eigen::RowMajor>;
   double greatestGiven(const Points& values) const;

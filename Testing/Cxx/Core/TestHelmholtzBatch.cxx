@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Batched Helmholtz problems against Eigen's Cholesky factorisation, with the kernels of every
-// instruction set that this processor has.
+// Helmholtz problems, batched and one by one, against Eigen's Cholesky factorisation, with the
+// kernels of every instruction set that this processor has.
 #include "Core/HelmholtzBatch.h"
+
+#include "Core/Errors.h"
+#include "Core/HelmholtzDirect.h"
 
 #include "SweepMeshes.h"
 
@@ -14,6 +17,7 @@ namespace
 {
 using hexsweep::BatchWidth;
 using hexsweep::HelmholtzBatchSolver;
+using hexsweep::HelmholtzDirectSolver;
 using hexsweep::HelmholtzMesh;
 using hexsweep::HelmholtzProblems;
 using hexsweep::Index;
@@ -27,17 +31,19 @@ std::size_t at(Index i)
   return static_cast<std::size_t>(i);
 }
 
-/// A cap whose left part, x < 0.3, is given.
+/// A cap whose left part, x < 0.3, is given. Quads are narrower the further up, by `stretch`.
 struct Problem
 {
   QuadLaplacian laplacian;
   std::vector<char> given;
   HelmholtzMesh mesh;
 
-  explicit Problem(int cells)
+  explicit Problem(int cells, double stretch = 0.0)
   {
-    const test::Sweep sweep = test::makeSweep(2 * cells, cells, true, { 0, 1 },
-      [](double x, double y, double t) { return Eigen::RowVector3d(x, y, t); });
+    const test::Sweep sweep =
+      test::makeSweep(2 * cells, cells, true, { 0, 1 }, [stretch](double x, double y, double t) {
+        return Eigen::RowVector3d(x, y * std::exp(-stretch * y), t);
+      });
     this->laplacian = hexsweep::quadLaplacian(sweep.source, sweep.quads);
     for (Index i = 0; i < sweep.source.rows(); ++i)
     {
@@ -107,6 +113,7 @@ void expectSolution(const Problem& problem, const HelmholtzProblems& problems,
   const Index n = problem.mesh.size();
   for (int lane = 0; lane < LanesPerBatch; ++lane)
   {
+    EXPECT_TRUE(solution.isSolved[at(lane)]) << lane;
     for (int c = 0; c < 3; ++c)
     {
       const Eigen::VectorXd expected = problem.expected(problems, lane, c);
@@ -143,6 +150,62 @@ TEST(HelmholtzBatch, EqualsADirectSolveOnEveryInstructionSet)
       }
     }
   }
+}
+
+TEST(HelmholtzBatch, GivesUpLowModesOfPoorQuadsAndKeepsWhatItSolves)
+{
+  // Quads up to 1 : 700.
+  const Problem problem(30, 6.0);
+  HelmholtzBatchSolver solver(problem.mesh, hexsweep::prismKernels());
+  HelmholtzProblems problems = randomProblems(problem.mesh, problem.mesh.levels[1], 1.0);
+  for (std::size_t l = 0; l < LanesPerBatch; ++l)
+  {
+    problems.lambda[l] = l % 2 == 0 ? 1e-3 : 1e9;
+  }
+  const hexsweep::HelmholtzSolution& solution = solver.solve(problems);
+  for (int lane = 0; lane < LanesPerBatch; ++lane)
+  {
+    EXPECT_EQ(solution.isSolved[at(lane)], lane % 2 == 1) << lane;
+    for (Index i = 0; i < solution.size && lane % 2 == 1; ++i)
+    {
+      ASSERT_LT(std::abs(solution.values[at(i * BatchWidth + lane)]), 10.0);
+    }
+  }
+}
+
+TEST(HelmholtzDirect, EqualsEigensOnPoorQuads)
+{
+  const Problem problem(20, 6.0);
+  const HelmholtzDirectSolver first(problem.mesh);
+  HelmholtzDirectSolver solver(first);
+  for (const double lambda : { 1e9, 1e-3, 1.0 })
+  {
+    const HelmholtzProblems problems = randomProblems(problem.mesh, problem.mesh.size(), lambda);
+    hexsweep::Points load(problem.mesh.size(), 3);
+    hexsweep::Points expected(problem.mesh.size(), 3);
+    for (int c = 0; c < 3; ++c)
+    {
+      expected.col(c) = problem.expected(problems, 0, c);
+      for (Index i = 0; i < load.rows(); ++i)
+      {
+        load(i, c) = problems.load[at(i * BatchWidth + c * LanesPerBatch)];
+      }
+    }
+    const double size = expected.cwiseAbs().maxCoeff();
+    const hexsweep::Points solution = solver.solve(lambda, load, 1e-12 * size);
+    EXPECT_LT((solution - expected).cwiseAbs().maxCoeff(), 1e-10 * size) << lambda;
+    EXPECT_EQ(solution, HelmholtzDirectSolver(first).solve(lambda, load, 1e-12 * size));
+  }
+}
+
+TEST(HelmholtzDirect, SaysWhatCannotBeSolved)
+{
+  const Problem problem(4);
+  HelmholtzDirectSolver solver(problem.mesh);
+  const hexsweep::Points load = hexsweep::Points::Ones(problem.mesh.size(), 3);
+  EXPECT_THROW(solver.solve(-1e6, load, 1e-12), hexsweep::SolverFailure); // not definite
+  EXPECT_THROW(solver.solve(std::nan(""), load, 1e-12), hexsweep::SolverFailure);
+  EXPECT_THROW(solver.solve(1.0, load, 0.0), hexsweep::SolverFailure); // beyond rounding
 }
 
 TEST(HelmholtzBatch, HighModesStayNearTheGivenNodes)

@@ -411,6 +411,10 @@ Progress pipelineProgress(vtkAlgorithm* self, double from, double to)
 
 ParallelFor smpFor()
 {
+  if (vtkSMPTools::GetEstimatedNumberOfThreads() == 1)
+  {
+    return {}; // progress can be reported, and an abort noticed, after every piece then
+  }
   return [](Index count, const std::function<void(Index)>& call) {
     // An exception that leaves a thread would end the process.
     std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));

@@ -23,10 +23,11 @@ struct CageInput : SweepCage
 
 /**
  * @param matchTolerance see traceLinkingRings().
- * @throw InvalidInput for inputs that are missing, are no caps, do not fit together or collapse.
+ * @throw InvalidInput for inputs that are missing, are no caps, do not fit together or collapse;
+ *        Aborted.
  */
 CageInput readCage(vtkDataSet* sourceQuads, vtkDataSet* targetQuads, vtkDataSet* linkingSides,
-  double matchTolerance);
+  double matchTolerance, const Progress& progress = {});
 }
 
 #endif

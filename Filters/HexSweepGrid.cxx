@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepGrid.h"
 
-#include "Core/ParallelFor.h"
+#include "Core/StoppablePieces.h"
 #include "HexSweepBridge.h"
 
 #include <vtkAlgorithm.h>
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkIdTypeArray> newIds(const char* name, Index count)
 }
 
 /// Calls body(layer, begin, end) for parts of all layers.
-void forPartsOfLayers(Index perLayer, Index layers, Index valuesEach,
+void forPartsOfLayers(Index perLayer, Index layers, Index valuesEach, const Progress& progress,
   const std::function<void(Index, Index, Index)>& body)
 {
   if (perLayer == 0)
@@ -50,13 +50,13 @@ void forPartsOfLayers(Index perLayer, Index layers, Index valuesEach,
   const Index partSize = (perLayer + parts - 1) / parts;
   if (parts > 1)
   {
-    forPieces(smpFor(), layers * parts, 1, [&](Index piece, Index) {
+    forStoppablePieces(smpFor(), progress, layers * parts, 1, [&](Index piece, Index) {
       const Index begin = (piece % parts) * partSize;
       body(piece / parts, begin, std::min(begin + partSize, perLayer));
     });
     return;
   }
-  forPieces(smpFor(), layers, layersAPiece, [&](Index first, Index last) {
+  forStoppablePieces(smpFor(), progress, layers, layersAPiece, [&](Index first, Index last) {
     for (Index k = first; k < last; ++k)
     {
       body(k, 0, perLayer);
@@ -65,14 +65,14 @@ void forPartsOfLayers(Index perLayer, Index layers, Index valuesEach,
 }
 
 template <typename Array>
-vtkSmartPointer<vtkPoints> newPointsOf(const PointsRef& points, int type)
+vtkSmartPointer<vtkPoints> newPointsOf(const PointsRef& points, int type, const Progress& progress)
 {
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetDataType(type);
   result->SetNumberOfPoints(points.rows());
   auto* to = Array::SafeDownCast(result->GetData())->GetPointer(0);
   using Value = typename Array::ValueType;
-  forPieces(smpFor(), points.size(), ValuesAPiece, [&](Index begin, Index end) {
+  forStoppablePieces(smpFor(), progress, points.size(), ValuesAPiece, [&](Index begin, Index end) {
     std::transform(points.data() + begin, points.data() + end, to + begin,
       [](double value) { return static_cast<Value>(value); });
   });
@@ -96,20 +96,21 @@ void gather(
 }
 }
 
-vtkSmartPointer<vtkPoints> newSweptPoints(const PointsRef& points, int precision)
+vtkSmartPointer<vtkPoints> newSweptPoints(
+  const PointsRef& points, int precision, const Progress& progress)
 {
   return precision == vtkAlgorithm::SINGLE_PRECISION
-    ? newPointsOf<vtkFloatArray>(points, VTK_FLOAT)
-    : newPointsOf<vtkDoubleArray>(points, VTK_DOUBLE);
+    ? newPointsOf<vtkFloatArray>(points, VTK_FLOAT, progress)
+    : newPointsOf<vtkDoubleArray>(points, VTK_DOUBLE, progress);
 }
 
-vtkSmartPointer<vtkIdTypeArray> newSweptConnectivity(
-  const QuadsRef& quads, Index pointsPerLayer, Index layers, bool sourceIsBottom)
+vtkSmartPointer<vtkIdTypeArray> newSweptConnectivity(const QuadsRef& quads, Index pointsPerLayer,
+  Index layers, bool sourceIsBottom, const Progress& progress)
 {
   const Index m = quads.rows();
   auto connectivity = newIds("connectivity", 8 * m * layers);
   vtkIdType* ids = connectivity->GetPointer(0);
-  forPartsOfLayers(m, layers, 8, [&](Index k, Index begin, Index end) {
+  forPartsOfLayers(m, layers, 8, progress, [&](Index k, Index begin, Index end) {
     const Index bottom = (sourceIsBottom ? k : k + 1) * pointsPerLayer;
     const Index top = (sourceIsBottom ? k + 1 : k) * pointsPerLayer;
     vtkIdType* to = ids + 8 * (k * m + begin);
@@ -132,12 +133,13 @@ Eigen::Map<const Hexes> hexView(vtkIdTypeArray* connectivity)
     connectivity->GetNumberOfValues() / 8, 8 };
 }
 
-void setSweptCells(vtkUnstructuredGrid* grid, vtkIdTypeArray* connectivity)
+void setSweptCells(
+  vtkUnstructuredGrid* grid, vtkIdTypeArray* connectivity, const Progress& progress)
 {
   const Index count = connectivity->GetNumberOfValues() / 8;
   const auto offsets = newIds("offsets", count + 1);
   vtkIdType* to = offsets->GetPointer(0);
-  forPieces(smpFor(), count + 1, ValuesAPiece, [&](Index begin, Index end) {
+  forStoppablePieces(smpFor(), progress, count + 1, ValuesAPiece, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i)
     {
       to[i] = 8 * i;
@@ -149,7 +151,7 @@ void setSweptCells(vtkUnstructuredGrid* grid, vtkIdTypeArray* connectivity)
 }
 
 void carryAttributes(vtkDataSetAttributes* source, const std::vector<Index>& ids, Index layers,
-  vtkDataSetAttributes* output)
+  vtkDataSetAttributes* output, const Progress& progress)
 {
   const vtkIdType n = static_cast<vtkIdType>(ids.size());
   vtkNew<vtkDataSetAttributes> gathered;
@@ -170,27 +172,29 @@ void carryAttributes(vtkDataSetAttributes* source, const std::vector<Index>& ids
   output->CopyAllocate(layer, n * layers);
   for (Index k = 0; k < layers; ++k)
   {
+    reportProgress(progress, static_cast<double>(k) / static_cast<double>(layers));
     output->CopyData(layer, k * n, n, 0);
   }
 }
 
 vtkSmartPointer<vtkIdTypeArray> newRepeatedIds(
-  const char* name, const std::vector<Index>& ids, Index layers)
+  const char* name, const std::vector<Index>& ids, Index layers, const Progress& progress)
 {
   const Index n = static_cast<Index>(ids.size());
   auto array = newIds(name, n * layers);
   vtkIdType* to = array->GetPointer(0);
-  forPartsOfLayers(n, layers, 1, [&](Index k, Index begin, Index end) {
+  forPartsOfLayers(n, layers, 1, progress, [&](Index k, Index begin, Index end) {
     std::copy(ids.begin() + begin, ids.begin() + end, to + k * n + begin);
   });
   return array;
 }
 
-vtkSmartPointer<vtkIdTypeArray> newLayerNumbers(Index perLayer, Index layers)
+vtkSmartPointer<vtkIdTypeArray> newLayerNumbers(
+  Index perLayer, Index layers, const Progress& progress)
 {
   auto array = newIds("SweepLayer", perLayer * layers);
   vtkIdType* to = array->GetPointer(0);
-  forPartsOfLayers(perLayer, layers, 1, [&](Index k, Index begin, Index end) {
+  forPartsOfLayers(perLayer, layers, 1, progress, [&](Index k, Index begin, Index end) {
     std::fill(to + k * perLayer + begin, to + k * perLayer + end, static_cast<vtkIdType>(k));
   });
   return array;

@@ -2,9 +2,11 @@
 #include "HexSweepHexOutput.h"
 
 #include "Core/Errors.h"
+#include "Core/StoppablePieces.h"
 #include "Core/SweptHexes.h"
 #include "HexSweepBridge.h"
 #include "HexSweepGrid.h"
+#include "HexSweepHexText.h"
 #include "HexSweepMethods.h"
 #include "HexSweepQualityArrays.h"
 #include "vtkCageHexInterior.h"
@@ -17,8 +19,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <utility>
-
 namespace hexsweep
 {
 namespace
@@ -26,11 +26,37 @@ namespace
 constexpr int PolishingRounds = 6;
 constexpr Index HexesAPiece = Index{ 1 } << 17;
 
-void addQualities(const std::vector<HexQuality>& qualities, vtkCellData* cellData)
+/// Points, hexahedra, and what they have from the source quads.
+void fillGrid(const PointsRef& points, vtkIdTypeArray* connectivity, Index layers,
+  const SourceAttributes& source, int precision, const Progress& progress,
+  vtkUnstructuredGrid* output)
+{
+  const auto part = [&](double from, double to) { return progressPart(progress, from, to); };
+  output->SetPoints(newSweptPoints(points, precision, part(0.0, 0.3)));
+  setSweptCells(output, connectivity, part(0.3, 0.4));
+  vtkPointData* pointData = output->GetPointData();
+  vtkCellData* cellData = output->GetCellData();
+  if (source.data)
+  {
+    carryAttributes(
+      source.data->GetPointData(), source.pointIds, layers + 1, pointData, part(0.4, 0.5));
+    carryAttributes(source.data->GetCellData(), source.cellIds, layers, cellData, part(0.5, 0.6));
+  }
+  pointData->AddArray(
+    newRepeatedIds("SourcePointIds", source.pointIds, layers + 1, part(0.6, 0.7)));
+  pointData->AddArray(
+    newLayerNumbers(static_cast<Index>(source.pointIds.size()), layers + 1, part(0.7, 0.8)));
+  cellData->AddArray(newRepeatedIds("SourceCellIds", source.cellIds, layers, part(0.8, 0.9)));
+  cellData->AddArray(
+    newLayerNumbers(static_cast<Index>(source.cellIds.size()), layers, part(0.9, 1.0)));
+}
+
+void addQualities(
+  const std::vector<HexQuality>& qualities, const Progress& progress, vtkCellData* cellData)
 {
   const Index hexes = static_cast<Index>(qualities.size());
   QualityArrays arrays(hexes);
-  forPieces(smpFor(), hexes, HexesAPiece, [&](Index begin, Index end) {
+  forStoppablePieces(smpFor(), progress, hexes, HexesAPiece, [&](Index begin, Index end) {
     for (Index h = begin; h < end; ++h)
     {
       arrays.set(h, qualities[static_cast<std::size_t>(h)]);
@@ -39,78 +65,79 @@ void addQualities(const std::vector<HexQuality>& qualities, vtkCellData* cellDat
   arrays.addTo(cellData);
   cellData->SetActiveScalars("ScaledJacobian");
 }
-
-void addAttributes(const SourceAttributes& source, Index layers, vtkUnstructuredGrid* output)
-{
-  vtkPointData* pointData = output->GetPointData();
-  vtkCellData* cellData = output->GetCellData();
-  if (source.data)
-  {
-    carryAttributes(source.data->GetPointData(), source.pointIds, layers + 1, pointData);
-    carryAttributes(source.data->GetCellData(), source.cellIds, layers, cellData);
-  }
-  pointData->AddArray(newRepeatedIds("SourcePointIds", source.pointIds, layers + 1));
-  pointData->AddArray(newLayerNumbers(static_cast<Index>(source.pointIds.size()), layers + 1));
-  cellData->AddArray(newRepeatedIds("SourceCellIds", source.cellIds, layers));
-  cellData->AddArray(newLayerNumbers(static_cast<Index>(source.cellIds.size()), layers));
-}
 }
 
 HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   const HexOutputSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* output)
 {
+  const bool automatic = settings.method == vtkCageHexInterior::AUTOMATIC;
   InteriorOptions options;
   options.ensureValid = settings.ensureValid;
-  options.polishingRounds = settings.ensureValid && settings.improveQuality &&
-      settings.method == vtkCageHexInterior::AUTOMATIC
-    ? PolishingRounds
-    : 0;
+  options.polishingRounds =
+    settings.ensureValid && settings.improveQuality && automatic ? PolishingRounds : 0;
   options.parallelFor = smpFor();
-  HexOutput result;
-  result.interior =
-    sweepInterior(cage, interiorStarts(settings.method), options, progressPart(progress, 0.0, 0.9));
-  stages.finish(result.interior.steps);
-  Points points = std::move(result.interior.points);
   if (settings.precision == vtkAlgorithm::SINGLE_PRECISION)
   {
-    // Judged as stored.
-    points = points.cast<float>().cast<double>().eval();
+    options.precision = Precision::Single;
   }
-  result.layers = cage.boundary.numberOfLayers();
-  result.sourceIsBottom = sourceIsBottom(cage.quads, points, result.layers, smpFor());
-  const vtkSmartPointer<vtkIdTypeArray> connectivity =
-    newSweptConnectivity(cage.quads, cage.source.rows(), result.layers, result.sourceIsBottom);
+  const SweepInterior interior =
+    sweepInterior(cage, interiorStarts(settings.method), options, progressPart(progress, 0.0, 0.9));
+  stages.finish(interior.steps);
+  const Index layers = cage.boundary.numberOfLayers();
+  const vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,
+    cage.source.rows(), layers, interior.sourceIsBottom, progressPart(progress, 0.9, 0.91));
   const auto hexes = hexView(connectivity);
-  const std::vector<HexQuality> qualities =
-    hexQualities(points, hexes, settings.certify, smpFor(), progressPart(progress, 0.9, 0.95));
-  result.summary = summarize(qualities);
+  const std::vector<HexQuality> qualities = hexQualities(
+    interior.points, hexes, settings.certify, smpFor(), progressPart(progress, 0.91, 0.95));
+  const HexQualitySummary summary = summarize(qualities);
   stages.finish("Quality");
-  if (result.summary.inverted + result.summary.degenerate > 0)
+
+  HexOutput result;
+  result.sourceIsBottom = interior.sourceIsBottom;
+  const JudgedHexes judged = { summary, static_cast<Index>(qualities.size()),
+    [&](Index h) { return qualities[static_cast<std::size_t>(h)]; },
+    [&](Index h) {
+      HexCorners places;
+      for (int c = 0; c < 8; ++c)
+      {
+        places.row(c) = interior.points.row(hexes(h, c));
+      }
+      return places;
+    } };
+  const auto advice = [&]() {
+    return interiorAdvice(interior.points, cage.source.rows(), summary.notCertified, interior.fixed,
+      { settings.ensureValid, automatic, interior.lostByRounding });
+  };
+  if (summary.inverted + summary.degenerate > 0)
   {
-    result.warnings.push_back(describeInverted(points, hexes, qualities, result.interior.fixed));
+    result.warnings.push_back(describeInverted(judged, advice()));
     if (settings.failIfInvalid)
     {
       throw InvalidInput(result.warnings.back());
     }
   }
-  if (settings.certify && result.summary.undecided > 0)
+  if (settings.certify && summary.undecided > 0)
   {
-    result.warnings.push_back(std::to_string(result.summary.undecided) + " of " +
-      std::to_string(result.summary.hexes) +
-      " hexahedra are undecided: their Jacobian comes too near to zero to be told from it. "
-      "Threshold the cell array Validity (3) to see them, and treat them as inverted.");
+    result.warnings.push_back(describeUndecided(judged, advice()));
   }
-  output->SetPoints(newSweptPoints(points, settings.precision));
-  setSweptCells(output, connectivity);
-  reportProgress(progress, 0.97);
-  addAttributes(source, result.layers, output);
-  addQualities(qualities, output->GetCellData());
+
+  fillGrid(interior.points, connectivity, layers, source, settings.precision,
+    progressPart(progress, 0.95, 0.98), output);
+  addQualities(qualities, progressPart(progress, 0.98, 1.0), output->GetCellData());
   vtkFieldData* fieldData = output->GetFieldData();
-  addQualityReport(fieldData, result.summary);
-  addReport(fieldData, "SweepReportMethod", result.interior.method);
-  addStepReport(fieldData, result.interior, options);
-  reportProgress(progress, 1.0);
+  addQualityReport(fieldData, summary);
+  addReport(fieldData, "SweepReportMethod", interior.method);
+  addStepReport(fieldData, interior, options);
   return result;
+}
+
+void writeSweptGrid(const PointsRef& points, const SweepCage& cage, const SourceAttributes& source,
+  int precision, const Progress& progress, vtkUnstructuredGrid* output)
+{
+  const Index layers = cage.boundary.numberOfLayers();
+  const vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,
+    cage.source.rows(), layers, sourceIsBottom(cage.quads, points, layers, smpFor()), {});
+  fillGrid(points, connectivity, layers, source, precision, progress, output);
 }
 }

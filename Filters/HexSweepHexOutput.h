@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-class vtkAlgorithm;
 class vtkDataSet;
 class vtkUnstructuredGrid;
 
@@ -29,7 +28,7 @@ struct HexOutputSettings
   int precision = 0; ///< a vtkAlgorithm::DesiredOutputPrecision
 };
 
-/// Where source attributes come from.
+/// Where the attributes of a cage's points and quads come from.
 struct SourceAttributes
 {
   vtkDataSet* data = nullptr;  ///< carried to every layer; nullptr: there are none
@@ -39,10 +38,7 @@ struct SourceAttributes
 
 struct HexOutput
 {
-  SweepInterior interior; ///< its points are moved into the grid
-  HexQualitySummary summary;
-  Index layers = 0;
-  bool sourceIsBottom = true;
+  bool sourceIsBottom = true;        ///< see SweepInterior
   std::vector<std::string> warnings; ///< what to tell the user
 };
 
@@ -55,6 +51,11 @@ struct HexOutput
 HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   const HexOutputSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* output);
+
+/// Writes hexahedra between layers of points that are known, without quality.
+/// @param points (L + 1) n x 3, see sweptHexes().
+void writeSweptGrid(const PointsRef& points, const SweepCage& cage, const SourceAttributes& source,
+  int precision, const Progress& progress, vtkUnstructuredGrid* output);
 }
 
 #endif

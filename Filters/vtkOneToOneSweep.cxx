@@ -209,17 +209,12 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   settings.precision = this->OutputPointsPrecision;
   auto* output = vtkUnstructuredGrid::GetData(outputs, 0);
   auto* boundary = vtkUnstructuredGrid::GetData(outputs, 1);
+  output->GetFieldData()->PassData(solidData->GetFieldData());
+  boundary->GetFieldData()->PassData(solidData->GetFieldData());
   const HexOutput hexes =
     writeHexes(cage, quads.attributes, settings, clock, pipelineProgress(this, 0.5, 0.97), output);
   writeBoundary(cage, solid, topology, hexes.sourceIsBottom, output, boundary);
 
-  for (vtkUnstructuredGrid* grid : { output, boundary })
-  {
-    vtkNew<vtkFieldData> own;
-    own->PassData(grid->GetFieldData());
-    grid->GetFieldData()->PassData(solidData->GetFieldData());
-    grid->GetFieldData()->PassData(own);
-  }
   addReports(cage, solid, topology, quads.origin, output->GetFieldData());
   clock.finish("Output");
   clock.report(output->GetFieldData());

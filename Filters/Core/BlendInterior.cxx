@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "PrismSolver.h"
 #include "QuadLaplacian.h"
+#include "StoppablePieces.h"
 
 #include <algorithm>
 #include <utility>
@@ -91,15 +92,18 @@ Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const
 {
   const Index n = sourcePoints.rows();
   const Index layers = boundary.numberOfLayers();
+  reportProgress(progress, 0.0);
   const QuadLaplacian onTarget = quadLaplacian(targetPoints, quads);
   Points source = sourcePoints;
   Points target = targetPoints;
   FadingBulges fading;
   const bool fade = bulges == CapBulges::Fading;
+  const double fadeEnd = fade ? 0.55 : 0.0;
+  const double blendEnd = fadeEnd + 0.2 * (1.0 - fadeEnd);
   if (fade)
   {
     fading = fadingBulges(sourcePoints, targetPoints, quads, onTarget, boundary,
-      progressPart(progress, 0.0, 0.6), parallelFor);
+      progressPart(progress, 0.0, fadeEnd), parallelFor);
     source -= fading.fromSource.topRows(n);
     target -= fading.fromTarget.bottomRows(n);
   }
@@ -107,7 +111,7 @@ Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const
   // On the caps the blend is exact, so the correction is zero there.
   Points swept((layers + 1) * n, 3);
   Points correction((layers + 1) * n, 3);
-  forPieces(parallelFor, layers + 1, 1, [&](Index k, Index) {
+  const auto blendLayer = [&](Index k, Index) {
     correction.middleRows(k * n, n).setZero();
     if (k == 0 || k == layers)
     {
@@ -135,17 +139,20 @@ Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const
         fading.fromSource.middleRows(k * n, n) * fromSource.linear.transpose() +
         fading.fromTarget.middleRows(k * n, n) * fromTarget.linear.transpose();
     }
-  });
+  };
+  forStoppablePieces(
+    parallelFor, progressPart(progress, fadeEnd, blendEnd), layers + 1, 1, blendLayer);
   fading = {};
   const double layerHeight = boundary.meanColumnLength / static_cast<double>(layers);
   correction =
     PrismSolver(onTarget, layers, layerHeight, boundary.nodes)
-      .extend(std::move(correction), progressPart(progress, fade ? 0.6 : 0.0, 1.0), parallelFor);
-  forPieces(parallelFor, layers - 1, 1, [&](Index inner, Index) {
-    const Index begin = (inner + 1) * n;
-    swept.middleRows(begin, n) += correction.middleRows(begin, n);
-  });
-
+      .extend(std::move(correction), progressPart(progress, blendEnd, 0.95), parallelFor);
+  forStoppablePieces(
+    parallelFor, progressPart(progress, 0.95, 1.0), layers - 1, 1, [&](Index inner, Index) {
+      const Index begin = (inner + 1) * n;
+      swept.middleRows(begin, n) += correction.middleRows(begin, n);
+    });
+  reportProgress(progress, 1.0);
   setGivenPoints(sourcePoints, targetPoints, quads, boundary, swept);
   return swept;
 }

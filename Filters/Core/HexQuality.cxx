@@ -97,7 +97,7 @@ namespace
 {
 // Of an even number of hexahedra, so that batches do not depend on the pieces.
 constexpr Index HexesPerPiece = 4096;
-constexpr Index HexesPerReport = 256 * HexesPerPiece;
+constexpr Index HexesPerReport = 64 * HexesPerPiece;
 
 // The coordinates of the eight corners of a hexahedron.
 using CornerPointers = std::array<const double*, 8>;
@@ -211,7 +211,8 @@ void judge(Index begin, Index end, const CornersOf& cornersOf, bool certify, Hex
 std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes, bool certify,
   const ParallelFor& parallelFor, const Progress& progress)
 {
-  std::vector<HexQuality> qualities(static_cast<std::size_t>(hexes.rows()));
+  std::vector<HexQuality> qualities;
+  qualities.reserve(static_cast<std::size_t>(hexes.rows()));
   const auto cornersOf = [&](Index h) {
     CornerPointers pointers;
     for (int i = 0; i < 8; ++i)
@@ -223,6 +224,7 @@ std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& he
   for (Index first = 0; first < hexes.rows(); first += HexesPerReport)
   {
     reportProgress(progress, static_cast<double>(first) / static_cast<double>(hexes.rows()));
+    qualities.resize(static_cast<std::size_t>(std::min(first + HexesPerReport, hexes.rows())));
     forPieces(parallelFor, std::min(HexesPerReport, hexes.rows() - first), HexesPerPiece,
       [&](Index begin, Index end) {
         judge(first + begin, first + end, cornersOf, certify, qualities.data());

@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "HelmholtzDirect.h"
+#include "StoppablePieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +18,6 @@ namespace
 {
 // Of the greatest given value, for one mode; their errors add up like random numbers.
 constexpr double ModeAccuracy = 1e-12;
-
-// Pieces of work between two questions whether to go on, where other threads do it.
-constexpr Index PiecesAtOnce = 8;
 
 constexpr Index PointsPerPanel = PanelWidth / 3;
 // Points that are transformed together: all modes of them stay in the cache.
@@ -86,19 +84,6 @@ private:
   std::mutex Guard;
   std::vector<std::unique_ptr<Solver>> Idle;
 };
-
-/// Runs pieces of work and asks after every piece, or every few where other threads run them.
-void runPieces(const ParallelFor& parallelFor, const Progress& progress, Index count,
-  const std::function<void(Index)>& piece)
-{
-  const Index group = parallelFor ? PiecesAtOnce : 1;
-  for (Index first = 0; first < count; first += group)
-  {
-    reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));
-    forPieces(parallelFor, std::min(group, count - first), 1,
-      [&](Index begin, Index) { piece(first + begin); });
-  }
-}
 }
 
 PrismSolver::PrismSolver(const QuadLaplacian& laplacian, const Eigen::VectorXd& layerHeights,
@@ -236,7 +221,7 @@ std::vector<Index> PrismSolver::solveBatches(const Sources& sources, const Prism
   const Index batches = (modes + LanesPerBatch - 1) / LanesPerBatch;
   std::vector<char> isSolved(at(batches * LanesPerBatch));
   IdleSolvers<HelmholtzBatchSolver> solvers({ this->Mesh, kernels });
-  runPieces(parallelFor, progress, batches, [&](Index batch) {
+  forStoppablePieces(parallelFor, progress, batches, 1, [&](Index batch, Index) {
     auto solver = solvers.take();
     const HelmholtzSolution& solution = solver->solve(this->problems(batch, sources));
     this->storeModes(batch, solution, values);
@@ -263,7 +248,8 @@ void PrismSolver::solveDirectly(const std::vector<Index>& modes, const Sources& 
     return;
   }
   IdleSolvers<HelmholtzDirectSolver> solvers(HelmholtzDirectSolver(this->Mesh));
-  runPieces(parallelFor, progress, static_cast<Index>(modes.size()), [&](Index piece) {
+  const Index count = static_cast<Index>(modes.size());
+  forStoppablePieces(parallelFor, progress, count, 1, [&](Index piece, Index) {
     const Index mode = modes[at(piece)];
     const bool hasCaps = sources.first.rows() > 0;
     Points load = Points::Zero(this->Mesh.size(), 3);
@@ -428,6 +414,7 @@ Points PrismSolver::extend(
   {
     return values;
   }
+  reportProgress(progress, 0.0);
   const double greatest = this->greatestGiven(values);
   if (!(greatest > 0.0))
   {
@@ -442,7 +429,9 @@ Points PrismSolver::extend(
   }
   Sources sources;
   sources.greatest = greatest;
+  reportProgress(progress, 0.0);
   sources.sides = this->sideCoefficients(values);
+  reportProgress(progress, 0.0);
   this->addCaps(values, sources);
   const bool hasCaps = sources.first.rows() > 0;
 
@@ -450,12 +439,11 @@ Points PrismSolver::extend(
   const std::vector<Index> givenUp =
     this->solveBatches(sources, kernels, progressPart(progress, 0.0, 0.6), parallelFor, values);
   this->solveDirectly(givenUp, sources, progressPart(progress, 0.6, 0.8), parallelFor, values);
-  runPieces(parallelFor, progressPart(progress, 0.8, 1.0),
-    (n + PointsPerPiece - 1) / PointsPerPiece, [&](Index piece) {
+  forStoppablePieces(
+    parallelFor, progressPart(progress, 0.8, 1.0), n, PointsPerPiece, [&](Index first, Index end) {
       Panel coefficients = Panel::Zero(PointsAtOnce / PointsPerPanel * (layers - 1), PanelWidth);
       Panel layerValues(coefficients.rows(), PanelWidth);
-      const Index end = std::min((piece + 1) * PointsPerPiece, n);
-      for (Index begin = piece * PointsPerPiece; begin < end; begin += PointsAtOnce)
+      for (Index begin = first; begin < end; begin += PointsAtOnce)
       {
         this->synthesize(kernels, begin, std::min(begin + PointsAtOnce, end), hasCaps, coefficients,
           layerValues, values);

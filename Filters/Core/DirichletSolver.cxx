@@ -11,8 +11,11 @@ namespace hexsweep
 struct DirichletSolver::Factor
 {
   std::vector<Index> FreeVertices;
-  SparseMatrix FreeToFixed; // rows of the free vertices, all columns, free columns zero
+  std::vector<int> FreeIndex; // number of each free vertex, -1 for the others
+  SparseMatrix FreeToFixed;   // rows of the free vertices, all columns, free columns zero
   std::optional<MultifrontalSolver> Solver;
+
+  SparseMatrix split(const SparseMatrix& laplacian);
 };
 
 namespace
@@ -25,40 +28,27 @@ bool isSymmetric(const SparseMatrix& matrix)
 }
 }
 
-DirichletSolver::DirichletSolver(
-  const SparseMatrix& laplacian, const std::vector<bool>& fixed, const PointsRef& places)
-  : Implementation(std::make_unique<Factor>())
+/// The matrix between the free vertices; keeps what leads from fixed ones to them.
+SparseMatrix DirichletSolver::Factor::split(const SparseMatrix& laplacian)
 {
-  Factor& factor = *this->Implementation;
-  const Index n = laplacian.rows();
-  std::vector<int> freeIndex(static_cast<std::size_t>(n), -1);
-  const Eigen::VectorXd diagonal = laplacian.diagonal();
-  for (Index i = 0; i < n; ++i)
-  {
-    if (!fixed[static_cast<std::size_t>(i)] && diagonal[i] != 0.0)
-    {
-      freeIndex[static_cast<std::size_t>(i)] = static_cast<int>(factor.FreeVertices.size());
-      factor.FreeVertices.push_back(i);
-    }
-  }
-
-  const Index m = static_cast<Index>(factor.FreeVertices.size());
+  const Index m = static_cast<Index>(this->FreeVertices.size());
+  const Index n = laplacian.cols();
   SparseMatrix matrix(m, m);
   matrix.reserve(laplacian.nonZeros());
-  factor.FreeToFixed.resize(m, n);
+  this->FreeToFixed.resize(m, n);
   for (Index column = 0; column < n; ++column)
   {
-    const int freeColumn = freeIndex[static_cast<std::size_t>(column)];
-    SparseMatrix& target = freeColumn >= 0 ? matrix : factor.FreeToFixed;
+    const int freeColumn = this->FreeIndex[static_cast<std::size_t>(column)];
+    SparseMatrix& target = freeColumn >= 0 ? matrix : this->FreeToFixed;
     const Index targetColumn = freeColumn >= 0 ? freeColumn : column;
-    factor.FreeToFixed.startVec(column);
+    this->FreeToFixed.startVec(column);
     if (freeColumn >= 0)
     {
       matrix.startVec(freeColumn);
     }
     for (SparseMatrix::InnerIterator it(laplacian, column); it; ++it)
     {
-      const int row = freeIndex[static_cast<std::size_t>(it.row())];
+      const int row = this->FreeIndex[static_cast<std::size_t>(it.row())];
       if (row >= 0)
       {
         target.insertBack(row, targetColumn) = it.value();
@@ -66,10 +56,31 @@ DirichletSolver::DirichletSolver(
     }
   }
   matrix.finalize();
-  factor.FreeToFixed.finalize();
-  if (m > 0)
+  this->FreeToFixed.finalize();
+  return matrix;
+}
+
+DirichletSolver::DirichletSolver(
+  const SparseMatrix& laplacian, const std::vector<bool>& fixed, const PointsRef& places)
+  : Implementation(std::make_unique<Factor>())
+{
+  Factor& factor = *this->Implementation;
+  const Index n = laplacian.rows();
+  factor.FreeIndex.assign(static_cast<std::size_t>(n), -1);
+  const Eigen::VectorXd diagonal = laplacian.diagonal();
+  for (Index i = 0; i < n; ++i)
   {
-    Points freePlaces(places.rows() > 0 ? m : 0, 3);
+    if (!fixed[static_cast<std::size_t>(i)] && diagonal[i] != 0.0)
+    {
+      factor.FreeIndex[static_cast<std::size_t>(i)] = static_cast<int>(factor.FreeVertices.size());
+      factor.FreeVertices.push_back(i);
+    }
+  }
+
+  const SparseMatrix matrix = factor.split(laplacian);
+  if (matrix.rows() > 0)
+  {
+    Points freePlaces(places.rows() > 0 ? matrix.rows() : 0, 3);
     for (Index i = 0; i < freePlaces.rows(); ++i)
     {
       freePlaces.row(i) = places.row(factor.FreeVertices[static_cast<std::size_t>(i)]);
@@ -78,6 +89,15 @@ DirichletSolver::DirichletSolver(
       isSymmetric(matrix) ? MultifrontalSolver::Kind::Cholesky : MultifrontalSolver::Kind::LU,
       freePlaces);
     factor.Solver->factorize(matrix);
+  }
+}
+
+void DirichletSolver::factorize(const SparseMatrix& laplacian)
+{
+  const SparseMatrix matrix = this->Implementation->split(laplacian);
+  if (matrix.rows() > 0)
+  {
+    this->Implementation->Solver->factorize(matrix);
   }
 }
 

@@ -37,6 +37,15 @@ public:
   DirichletSolver& operator=(DirichletSolver&&) noexcept;
 
   /**
+   * Factorises another matrix in the elimination order of the first: for one mesh whose vertices
+   * move.
+   *
+   * @param laplacian with the entries of the constructor's, whatever their values; as symmetric.
+   * @throw SolverFailure when the factorisation breaks down; solve() is then of no use.
+   */
+  void factorize(const SparseMatrix& laplacian);
+
+  /**
    * @param values n x k; the fixed rows are read, the others ignored.
    * @return n x k, harmonic at the free vertices, equal to `values` at the fixed ones.
    * @throw SolverFailure when the solution is not finite.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace hexsweep
@@ -33,7 +34,7 @@ public:
   }
 
   /// The layer on ring `to` that belongs to a layer on ring `from`.
-  Points advance(const Points& layer, Index from, Index to) const
+  Points advance(const Points& layer, Index from, Index to)
   {
     const Points& start = this->Boundary.rings[static_cast<std::size_t>(from)];
     const Points& end = this->Boundary.rings[static_cast<std::size_t>(to)];
@@ -60,7 +61,7 @@ private:
     Points reached() const { return this->affine + this->correction; }
   };
 
-  Step step(const Points& layer, const Points& start, const Points& end) const
+  Step step(const Points& layer, const Points& start, const Points& end)
   {
     const auto outer = [&](const Points& ring) {
       return areaVector(ring.middleRows(this->Boundary.outerBegin, this->Boundary.outerSize));
@@ -72,9 +73,7 @@ private:
     {
       step.correction.row(nodes[j]) = end.row(static_cast<Index>(j)) - step.affine.row(nodes[j]);
     }
-    step.correction =
-      DirichletSolver(quadLaplacian(layer, this->CapQuads).stiffness, this->Fixed, layer)
-        .solve(step.correction);
+    step.correction = this->solverOf(layer).solve(step.correction);
     if (!step.reached().allFinite())
     {
       throw SolverFailure("a layer is not finite.");
@@ -82,7 +81,22 @@ private:
     return step;
   }
 
-  Points inParts(const Points& layer, const Points& start, const Points& end, double parts) const
+  /// All layers have one elimination order.
+  const DirichletSolver& solverOf(const Points& layer)
+  {
+    const SparseMatrix stiffness = quadLaplacian(layer, this->CapQuads).stiffness;
+    if (this->Solver)
+    {
+      this->Solver->factorize(stiffness);
+    }
+    else
+    {
+      this->Solver.emplace(stiffness, this->Fixed, layer);
+    }
+    return *this->Solver;
+  }
+
+  Points inParts(const Points& layer, const Points& start, const Points& end, double parts)
   {
     Points reached = layer;
     Points ring = start;
@@ -119,6 +133,7 @@ private:
   QuadsRef CapQuads;
   const SweepBoundary& Boundary;
   std::vector<bool> Fixed;
+  std::optional<DirichletSolver> Solver;
 };
 }
 
@@ -127,7 +142,7 @@ Points layerMarchInterior(const PointsRef& sourcePoints, const PointsRef& target
 {
   const Index n = sourcePoints.rows();
   const Index layers = boundary.numberOfLayers();
-  const March march(quads, boundary, n);
+  March march(quads, boundary, n);
   const double steps = 2.0 * static_cast<double>(layers);
   Points swept((layers + 1) * n, 3);
 

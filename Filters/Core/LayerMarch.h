@@ -34,7 +34,8 @@ namespace hexsweep
  * stretch), those of caps in any shape that both are the same up to a rotation and a scale, and,
  * where the loops are not planar, those of any cap.
  *
- * One sparse factorisation a layer and direction, and one more for each part of a divided step.
+ * One sparse factorisation a layer and direction, and one more for each part of a divided step, all
+ * in one elimination order.
  *
  * @param sourcePoints n x 3.
  * @param targetPoints n x 3, same order.

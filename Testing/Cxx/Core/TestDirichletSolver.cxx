@@ -64,6 +64,26 @@ double logarithmError(Index rings, Weights weights)
 }
 }
 
+TEST(DirichletSolver, FactorisesAMeshAgainThatHasMoved)
+{
+  TriangleMesh mesh = test::curvedPlate(3, 0.3);
+  const std::vector<bool> fixed = test::boundaryFlags(mesh);
+  const Index n = mesh.points.rows();
+  const Eigen::MatrixXd values = randomMatrix(n, 3, 1);
+  DirichletSolver solver(
+    hexsweep::surfaceLaplacian(mesh.points, mesh.triangles, Weights::Cotangent), fixed);
+  const Eigen::MatrixXd before = solver.solve(values);
+  mesh.points.col(0) *= 3.0;
+  const SparseMatrix moved =
+    hexsweep::surfaceLaplacian(mesh.points, mesh.triangles, Weights::Cotangent);
+  solver.factorize(moved);
+  const Eigen::MatrixXd after = solver.solve(values);
+  EXPECT_LT(
+    (after - denseSolve(moved, fixed, values, Eigen::MatrixXd::Zero(n, 3))).cwiseAbs().maxCoeff(),
+    1e-12);
+  EXPECT_GT((after - before).cwiseAbs().maxCoeff(), 0.01);
+}
+
 TEST(DirichletSolver, EqualsADenseSolve)
 {
   const TriangleMesh mesh = test::curvedPlate(3, 0.3);

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepBoundarySets.h"
+
+#include "Core/Errors.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace hexsweep
+{
+namespace
+{
+/// vtkExodusIIWriter makes a table of names as long as twice the greatest id.
+constexpr vtkIdType GreatestSetId = 1000000;
+
+vtkIdType idAt(vtkDataArray* ids, vtkIdType i)
+{
+  return static_cast<vtkIdType>(ids->GetComponent(i, 0));
+}
+
+/// An array of whole numbers in a range.
+vtkDataArray* checkedIds(
+  vtkFieldData* data, const std::string& name, vtkIdType first, vtkIdType last)
+{
+  vtkDataArray* array = data->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    throw InvalidInput("the boundary has no array \"" + name +
+      "\". Connect the second output (Boundary) of OneToOneSweep.");
+  }
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    if (!(value >= static_cast<double>(first) && value <= static_cast<double>(last)))
+    {
+      throw InvalidInput("the boundary is not that of these hexahedra: entry " + std::to_string(i) +
+        " of \"" + name + "\" is " + std::to_string(idAt(array, i)) + ", which is not in [" +
+        std::to_string(first) + ", " + std::to_string(last) +
+        "]. Connect both outputs of the same OneToOneSweep, unchanged.");
+    }
+  }
+  return array;
+}
+
+void checkCells(vtkUnstructuredGrid* grid, const std::string& what, int type, const char* cells)
+{
+  if (!grid || grid->GetNumberOfCells() == 0)
+  {
+    throw InvalidInput("the " + what + (grid ? " is empty (no cells)." : " is not connected.") +
+      " Connect both outputs of OneToOneSweep: the first as Hexes, the second as Boundary.");
+  }
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    if (grid->GetCellType(c) != type)
+    {
+      throw InvalidInput("the " + what + ": cell " + std::to_string(c) + " is no " + cells +
+        ". Connect both outputs of OneToOneSweep: the first as Hexes, the second as Boundary.");
+    }
+  }
+}
+
+void checkBoundary(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
+{
+  checkCells(hexes, "mesh of hexahedra", VTK_HEXAHEDRON, "hexahedron");
+  checkCells(boundary, "boundary", VTK_QUAD, "quad");
+  constexpr vtkIdType Largest = std::numeric_limits<vtkIdType>::max() / 2;
+  checkedIds(boundary->GetCellData(), "BoundaryId", -Largest, Largest);
+  checkedIds(boundary->GetCellData(), "BoundaryPart", 0, 2);
+  checkedIds(boundary->GetCellData(), "HexId", 0, hexes->GetNumberOfCells() - 1);
+  checkedIds(boundary->GetCellData(), "HexSide", 1, 6);
+  checkedIds(boundary->GetPointData(), "HexPointIds", 0, hexes->GetNumberOfPoints() - 1);
+}
+
+bool isTextOrReport(vtkAbstractArray* array)
+{
+  const std::string name = array->GetName() ? array->GetName() : "";
+  return name.empty() || !vtkDataArray::SafeDownCast(array) || name.rfind("SweepReport", 0) == 0;
+}
+
+/// The ids from 1 on.
+vtkSmartPointer<vtkIdTypeArray> newGlobalIds(const char* name, vtkIdType count)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(count);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType{ 1 });
+  return ids;
+}
+
+vtkSmartPointer<vtkIntArray> newBlockIds(vtkUnstructuredGrid* hexes)
+{
+  vtkDataArray* volumes = hexes->GetCellData()->GetArray("VolumeId");
+  auto ids = vtkSmartPointer<vtkIntArray>::New();
+  ids->SetName("ObjectId");
+  ids->SetNumberOfValues(hexes->GetNumberOfCells());
+  for (vtkIdType c = 0; c < hexes->GetNumberOfCells(); ++c)
+  {
+    const double id = volumes ? volumes->GetComponent(c, 0) : 1.0;
+    const bool fits = id >= 1.0 && id <= static_cast<double>(std::numeric_limits<int>::max());
+    ids->SetValue(c, fits ? static_cast<int>(id) : 1);
+  }
+  return ids;
+}
+
+/// Points of the boundary that the quads use, in the order in which they do.
+struct UsedPoints
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIdTypeArray> globalIds;
+  std::map<vtkIdType, vtkIdType> newId;
+
+  UsedPoints(vtkUnstructuredGrid* boundary, const BoundarySet& set)
+  {
+    this->points->SetDataType(boundary->GetPoints()->GetDataType());
+    this->globalIds->SetName("GlobalNodeId");
+    vtkDataArray* hexPointIds = boundary->GetPointData()->GetArray("HexPointIds");
+    vtkNew<vtkIdList> corners;
+    for (const vtkIdType quad : set.quads)
+    {
+      boundary->GetCellPoints(quad, corners);
+      for (const vtkIdType point : *corners)
+      {
+        if (this->newId.emplace(point, this->points->GetNumberOfPoints()).second)
+        {
+          this->points->InsertNextPoint(boundary->GetPoint(point));
+          this->globalIds->InsertNextValue(idAt(hexPointIds, point) + 1);
+        }
+      }
+    }
+  }
+};
+}
+
+std::vector<BoundarySet> boundarySets(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
+{
+  checkBoundary(hexes, boundary);
+  vtkDataArray* faces = boundary->GetCellData()->GetArray("BoundaryId");
+  vtkDataArray* parts = boundary->GetCellData()->GetArray("BoundaryPart");
+  std::map<vtkIdType, std::vector<vtkIdType>> byFace;
+  std::map<vtkIdType, std::vector<vtkIdType>> byPart;
+  for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
+  {
+    byFace[idAt(faces, q)].push_back(q);
+    byPart[idAt(parts, q)].push_back(q);
+  }
+  const bool idsFit = byFace.begin()->first >= 1 && byFace.rbegin()->first <= GreatestSetId;
+  std::vector<BoundarySet> sets;
+  for (auto& [face, quads] : byFace)
+  {
+    // vtkExodusIIWriter takes the id of a set from its name, without a space before it; sets that
+    // have none there follow on.
+    const std::string number = std::to_string(face);
+    const std::string name =
+      idsFit ? "Face ID:" + number : "Face " + number + " ID:" + std::to_string(sets.size() + 1);
+    sets.push_back({ name, std::move(quads) });
+  }
+  for (auto& [part, quads] : byPart)
+  {
+    sets.push_back({ part == 0 ? "Source" : part == 1 ? "Target" : "Sides", std::move(quads) });
+  }
+  return sets;
+}
+
+std::string volumeName(vtkUnstructuredGrid* hexes)
+{
+  auto* names = vtkStringArray::SafeDownCast(hexes->GetFieldData()->GetAbstractArray("VolumeName"));
+  if (names && names->GetNumberOfValues() > 0 && !names->GetValue(0).empty())
+  {
+    return names->GetValue(0);
+  }
+  vtkDataArray* volumes = hexes->GetCellData()->GetArray("VolumeId");
+  return "Volume " + std::to_string(volumes ? idAt(volumes, 0) : vtkIdType{ 1 });
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(vtkUnstructuredGrid* hexes)
+{
+  auto block = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  block->ShallowCopy(hexes);
+  block->GetCellData()->AddArray(newBlockIds(hexes));
+  block->GetCellData()->SetGlobalIds(newGlobalIds("GlobalElementId", hexes->GetNumberOfCells()));
+  block->GetPointData()->SetGlobalIds(newGlobalIds("GlobalNodeId", hexes->GetNumberOfPoints()));
+  vtkNew<vtkFieldData> numbers;
+  for (int a = 0; a < hexes->GetFieldData()->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = hexes->GetFieldData()->GetAbstractArray(a);
+    if (!isTextOrReport(array))
+    {
+      numbers->AddArray(array);
+    }
+  }
+  block->SetFieldData(numbers);
+  return block;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> newSideSet(
+  vtkUnstructuredGrid* boundary, const BoundarySet& set)
+{
+  // Sides of a hexahedron in the order of Exodus II, from 1 on, in that of vtkHexahedron's faces.
+  constexpr int VtkFaces[7] = { -1, 2, 1, 3, 0, 4, 5 };
+  const UsedPoints used(boundary, set);
+  vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
+  vtkDataArray* hexSides = boundary->GetCellData()->GetArray("HexSide");
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdTypeArray> elements;
+  elements->SetName("SourceElementId");
+  vtkNew<vtkIntArray> sides;
+  sides->SetName("SourceElementSide");
+  vtkNew<vtkIdList> corners;
+  for (const vtkIdType quad : set.quads)
+  {
+    boundary->GetCellPoints(quad, corners);
+    for (vtkIdType& corner : *corners)
+    {
+      corner = used.newId.at(corner);
+    }
+    cells->InsertNextCell(corners);
+    elements->InsertNextValue(idAt(hexIds, quad));
+    sides->InsertNextValue(VtkFaces[idAt(hexSides, quad)]);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(used.points);
+  grid->SetCells(VTK_QUAD, cells);
+  grid->GetPointData()->SetGlobalIds(used.globalIds);
+  grid->GetCellData()->AddArray(elements);
+  grid->GetCellData()->AddArray(sides);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> newNodeSet(
+  vtkUnstructuredGrid* boundary, const BoundarySet& set)
+{
+  const UsedPoints used(boundary, set);
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < used.points->GetNumberOfPoints(); ++i)
+  {
+    cells->InsertNextCell(1, &i);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(used.points);
+  grid->SetCells(VTK_VERTEX, cells);
+  grid->GetPointData()->SetGlobalIds(used.globalIds);
+  return grid;
+}
+
+void passTextsAndReports(vtkUnstructuredGrid* hexes, vtkDataObject* output)
+{
+  for (int a = 0; a < hexes->GetFieldData()->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = hexes->GetFieldData()->GetAbstractArray(a);
+    if (isTextOrReport(array))
+    {
+      output->GetFieldData()->AddArray(array);
+    }
+  }
+}
+}

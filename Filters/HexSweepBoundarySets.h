@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Blocks and sets of a swept mesh, with the arrays that vtkExodusIIReader gives them.
+ * Private to the module.
+ */
+#ifndef HexSweepBoundarySets_h
+#define HexSweepBoundarySets_h
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkUnstructuredGrid;
+
+namespace hexsweep
+{
+/// Some quads of the boundary.
+struct BoundarySet
+{
+  std::string name;
+  std::vector<vtkIdType> quads;
+};
+
+/**
+ * One set a face in the order of their ids, then source, target and sides (those there are).
+ *
+ * @param hexes, boundary nullptr counts as missing.
+ * @throw InvalidInput when one of the inputs is missing or empty, has other cells, lacks an array,
+ *        or when the boundary is that of another mesh.
+ */
+std::vector<BoundarySet> boundarySets(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary);
+
+/// Field data array `VolumeName`, else "Volume" with the first `VolumeId` (1: there is none).
+std::string volumeName(vtkUnstructuredGrid* hexes);
+
+/// The hexahedra with `ObjectId`, `GlobalElementId` and `GlobalNodeId` (these from 1 on).
+vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(vtkUnstructuredGrid* hexes);
+
+/// Quads with `SourceElementId` (from 0 on) and `SourceElementSide` (in VTK's order).
+vtkSmartPointer<vtkUnstructuredGrid> newSideSet(
+  vtkUnstructuredGrid* boundary, const BoundarySet& set);
+
+/// Vertex cells on the points of the quads, with `GlobalNodeId`, in the order of these.
+vtkSmartPointer<vtkUnstructuredGrid> newNodeSet(
+  vtkUnstructuredGrid* boundary, const BoundarySet& set);
+
+/// Copies the field data that newElementBlock() leaves out.
+void passTextsAndReports(vtkUnstructuredGrid* hexes, vtkDataObject* output);
+}
+
+#endif

@@ -7,6 +7,7 @@
 #include "HexSweepBridge.h"
 #include "HexSweepLinkingReport.h"
 #include "HexSweepSolidQuads.h"
+#include "HexSweepVolumeId.h"
 
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
@@ -214,6 +215,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   const HexOutput hexes =
     writeHexes(cage, quads.attributes, settings, clock, pipelineProgress(this, 0.5, 0.97), output);
   writeBoundary(cage, solid, topology, hexes.sourceIsBottom, output, boundary);
+  carryVolumeId(solidData, output);
 
   addReports(cage, solid, topology, quads.origin, output->GetFieldData());
   clock.finish("Output");

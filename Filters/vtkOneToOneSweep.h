@@ -20,11 +20,14 @@
  * Faces on the sides that are meshed with structured quads from source to target keep their nodes,
  * so that neighbouring volumes fit together.
  *
- * Output port 0: the hexahedra, numbered and with the arrays as vtkCageHexInterior's. Output port
+ * Output port 0: the hexahedra, numbered and with the arrays as vtkCageHexInterior's; where all
+ * cells of the solid have one `VolumeId` (or all volume cells one `CellEntityIds`, as gmsh writes
+ * them) this is their cell array `VolumeId`. Output port
  * 1, `Boundary`: their outer quads (those of the source cap first, then the target cap, then the
  * sides), facing outward, with the point array `HexPointIds` (the point of output 0) and the cell
  * arrays `BoundaryId` (face id of the solid), `BoundaryPart` (0 source, 1 target, 2 side), `HexId`
  * (the hexahedron behind) and `HexSide` (which of its sides, 1 to 6 in the order of Exodus II).
+ * vtkSweepSets makes side sets and node sets of them, for an Exodus file.
  *
  * Field data of both outputs: those of the solid; on output 0 the reports of the other filters'
  * (`SweepReport*`) as well: stages with their seconds, `SweepReportTargetFaceIds`,

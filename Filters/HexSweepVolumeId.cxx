@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepVolumeId.h"
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkGenericCell.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <optional>
+
+namespace hexsweep
+{
+namespace
+{
+/// The value that an array has on all cells of one dimension.
+std::optional<double> commonValue(vtkDataSet* data, const char* name, int dimension)
+{
+  vtkDataArray* array = data->GetCellData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return std::nullopt;
+  }
+  std::optional<double> value;
+  vtkNew<vtkGenericCell> type;
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+  {
+    type->SetCellType(data->GetCellType(c));
+    if (type->GetCellDimension() != dimension)
+    {
+      continue;
+    }
+    const double here = array->GetComponent(c, 0);
+    if (std::floor(here) != here || (value && *value != here))
+    {
+      return std::nullopt;
+    }
+    value = here;
+  }
+  return value;
+}
+}
+
+void carryVolumeId(vtkDataSet* solid, vtkUnstructuredGrid* hexes)
+{
+  std::optional<double> id = commonValue(solid, "VolumeId", 3);
+  id = id ? id : commonValue(solid, "CellEntityIds", 3);
+  id = id ? id : commonValue(solid, "VolumeId", 2);
+  if (id)
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("VolumeId");
+    ids->SetNumberOfValues(hexes->GetNumberOfCells());
+    ids->FillValue(static_cast<vtkIdType>(*id));
+    hexes->GetCellData()->AddArray(ids);
+  }
+}
+}

@@ -129,6 +129,10 @@ void LinkingSideColumns::findEnds()
     anchors.emplace_back(j, column.v);
   }
   this->Target = this->Source;
+  for (double& end : this->Target)
+  {
+    end += this->Turn;
+  }
   this->anchorCorners(anchors);
   if (anchors.empty())
   {
@@ -172,7 +176,7 @@ void LinkingSideColumns::anchorCorners(std::vector<std::pair<std::size_t, double
     double end = v;
     for (std::size_t j = 0; j < n; ++j)
     {
-      const double offset = std::remainder(v - this->Source[j], 1.0);
+      const double offset = std::remainder(v - this->Target[j], 1.0);
       const bool isFree = std::none_of(anchors.begin(), anchors.end(), [&](const auto& anchor) {
         if (anchor.first == j)
         {
@@ -180,14 +184,14 @@ void LinkingSideColumns::anchorCorners(std::vector<std::pair<std::size_t, double
         }
         // The ends must follow each other as the columns do.
         const double columns = std::remainder(this->Source[j] - this->Source[anchor.first], 1.0);
-        const double ends = std::remainder(this->Source[j] + offset - anchor.second, 1.0);
+        const double ends = std::remainder(this->Target[j] + offset - anchor.second, 1.0);
         return (columns > 0.0) != (ends > 0.0);
       });
       if (isFree && std::abs(offset) < least)
       {
         best = j;
         least = std::abs(offset);
-        end = this->Source[j] + offset;
+        end = this->Target[j] + offset;
       }
     }
     if (best == n)
@@ -204,6 +208,31 @@ void LinkingSideColumns::anchorCorners(std::vector<std::pair<std::size_t, double
 StripPlace LinkingSideColumns::inside(std::size_t column, double u) const
 {
   return this->Search->at((1.0 - u) * this->Source[column] + u * this->Target[column], u);
+}
+
+Points LinkingSideColumns::nodesAt(const std::vector<Index>& columns, double u, double turn) const
+{
+  Points nodes(static_cast<Index>(columns.size()), 3);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    const auto j = static_cast<std::size_t>(columns[i]);
+    nodes.row(static_cast<Index>(i)) =
+      this->Search->at((1.0 - u) * this->Source[j] + u * this->Target[j] + turn, u).point;
+  }
+  return nodes;
+}
+
+void LinkingSideColumns::turnEnds(double turn)
+{
+  if (!this->isFree() || turn == 0.0)
+  {
+    return;
+  }
+  this->Turn += turn;
+  this->LostEdges.clear();
+  this->LostCorners.clear();
+  this->findEnds();
+  this->measure();
 }
 
 Eigen::RowVector3d LinkingSideColumns::onTargetLoop(double v) const

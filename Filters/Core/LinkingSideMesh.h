@@ -65,6 +65,19 @@ public:
    */
   LinkingSideMesh mesh(const std::vector<double>& fractions) const;
 
+  /// Nodes of the source loop, the way v rises.
+  const Points& ring() const { return this->Ring; }
+  /// v where a column (of ring()) begins.
+  double beginOf(Index column) const { return this->Source[static_cast<std::size_t>(column)]; }
+  /// Whether no CAD edge and no part that is meshed already holds the columns, so that they can
+  /// turn.
+  bool isFree() const { return this->Strip.columns.empty() && this->Meshed.layers == 0; }
+  /// Places of some columns at a height u in [0, 1], moved on by `turn` in v.
+  Points nodesAt(const std::vector<Index>& columns, double u, double turn) const;
+  /// Moves the ends of the columns on by `turn` in v, if isFree(). At the corners of the target
+  /// loop columns end as before.
+  void turnEnds(double turn);
+
   /// Columns that are CAD edges.
   Index keptEdges() const;
   /// CAD edges from the source to the target loop that no ring node begins at (places of their
@@ -92,6 +105,7 @@ private:
   bool Reversed = false;             ///< whether the given ring runs the other way
   std::vector<double> Source;        ///< v where each column begins, rising within less than 1
   std::vector<double> Target;        ///< v where it ends
+  double Turn = 0.0;                 ///< what all of Target are ahead of Source, see turnEnds()
   std::vector<Index> Edge;           ///< CAD edge that it is (Strip.columns), or -1
   MeshedColumns Meshed;              ///< by column
   Eigen::MatrixXd Reached;           ///< row: column; length up to each sample of u

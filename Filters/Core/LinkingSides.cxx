@@ -7,6 +7,7 @@
 #include "Errors.h"
 #include "LayerSpacing.h"
 #include "LoopGeometry.h"
+#include "SideTurns.h"
 #include "SurfaceTopology.h"
 
 #include <algorithm>
@@ -255,7 +256,13 @@ LinkingSidesMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector
   for (std::size_t l = 0; l < rings.size(); ++l)
   {
     columns.emplace_back(sides[sideOf[l]], rings[l], matchTolerance);
-    const LinkingSideColumns& side = columns.back();
+    reportProgress(progress, 0.8 * static_cast<double>(l + 1) / static_cast<double>(rings.size()));
+  }
+  const std::vector<double> turns = sideTurns(columns);
+  for (std::size_t l = 0; l < rings.size(); ++l)
+  {
+    LinkingSideColumns& side = columns[l];
+    side.turnEnds(turns[l]);
     meshedLayers = std::max(meshedLayers, side.meshedLayers());
     nodes += side.size();
     length += static_cast<double>(side.size()) * side.meanLength();
@@ -267,7 +274,6 @@ LinkingSidesMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector
       result.lostCorners.end(), side.lostCorners().begin(), side.lostCorners().end());
     result.refusedPatches.insert(
       result.refusedPatches.end(), side.refusedPatches().begin(), side.refusedPatches().end());
-    reportProgress(progress, 0.8 * static_cast<double>(l + 1) / static_cast<double>(rings.size()));
   }
   result.meanColumnLength = length / static_cast<double>(nodes);
   const Index layers = !(request.size > 0.0) ? request.layers

@@ -147,6 +147,61 @@ const Place Cylinder = [](double v, double u) -> Eigen::RowVector3d {
   return { std::cos(TwoPi * v), std::sin(TwoPi * v), 3.0 * u };
 };
 
+/// Mean angle by which the columns of ring nodes [first, first + n) turn about the z axis.
+double meanTurn(const LinkingSidesMesh& mesh, Index firstNode, Index n)
+{
+  double sum = 0.0;
+  for (Index j = 0; j < n; ++j)
+  {
+    double angle = 0.0;
+    for (Index k = 1; k <= mesh.layers; ++k)
+    {
+      const Eigen::RowVector3d a = mesh.mesh.points.row(firstNode + (k - 1) * n + j);
+      const Eigen::RowVector3d b = mesh.mesh.points.row(firstNode + k * n + j);
+      angle += std::remainder(std::atan2(b[1], b[0]) - std::atan2(a[1], a[0]), TwoPi);
+    }
+    sum += angle;
+  }
+  return sum / static_cast<double>(n);
+}
+
+// The wall of a pipe: CAD edges twist its outside, nothing is to be seen of that inside.
+TEST(LinkingSides, SideWithoutCadEdgesFollowsTheOthers)
+{
+  constexpr double Height = 3.0;
+  constexpr Index Around = 48;
+  for (const double twist : { 0.3, 1.5 * TwoPi / 2.0 })
+  {
+    for (const double radius : { 0.96, 0.3 })
+    {
+      const auto pipe = [&](double r, double turn) -> Place {
+        return [=](double v, double u) -> Eigen::RowVector3d {
+          const double angle = TwoPi * v + turn * u;
+          return { r * std::cos(angle), r * std::sin(angle), Height * u };
+        };
+      };
+      const LinkingSide outer =
+        tube(Around, 24, pipe(1.0, twist), [](double v, double) { return Index(4.0 * v); });
+      const LinkingSide inner = tube(Around, 24, pipe(radius, 0.0));
+      Points rings(2 * Around, 3);
+      rings << ringOf(Around, pipe(1.0, 0.0)), ringOf(Around, pipe(radius, 0.0));
+      Loop hole = numbers(Around);
+      for (Index& point : hole)
+      {
+        point += Around;
+      }
+      const LinkingSidesMesh mesh =
+        hexsweep::meshLinkingSides(rings, { numbers(Around), hole }, { outer, inner }, layers(16));
+      EXPECT_NEAR(meanTurn(mesh, 0, Around), twist, 1e-9);
+      // The least sum of the squares of turn over gap and turn over height.
+      const double gap = 1.0 - radius;
+      const double share = Height * Height / (Height * Height + gap * gap);
+      EXPECT_NEAR(meanTurn(mesh, 17 * Around, Around), share * twist, 1e-3 * twist)
+        << "twist " << twist << ", radius " << radius;
+    }
+  }
+}
+
 // A facetted right cylinder has straight generators and plane rings: nodes are known.
 TEST(LinkingSides, CylinderIsMeshedExactly)
 {

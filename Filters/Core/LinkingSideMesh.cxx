@@ -18,9 +18,9 @@ namespace hexsweep
 {
 namespace
 {
-constexpr Index Samples = 128;            // of a column's length
-constexpr double TrianglesOfRing = 8.0;   // a side of n columns is cut as finely as n n / this...
-constexpr double LeastTriangles = 2000.0; // ... triangles would be, but not coarser than this
+constexpr Index Samples = 64;            // of a column's length
+constexpr double TrianglesOfRing = 32.0; // a side of n columns is cut as finely as n n / this...
+constexpr double LeastTriangles = 500.0; // ... triangles would be, but not coarser than this
 
 double areaOf(const TriangleMesh& mesh)
 {

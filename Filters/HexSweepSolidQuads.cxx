@@ -3,12 +3,12 @@
 
 #include "Core/CapQuads.h"
 #include "Core/Errors.h"
+#include "Core/LoopGeometry.h"
 #include "HexSweepBridge.h"
 
 #include <vtkDataSet.h>
 
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace hexsweep
@@ -73,28 +73,37 @@ SourceQuads newQuads(
 std::vector<Index> edgeStarts(const SolidSurface& solid, const SweepTopology& topology)
 {
   std::vector<Index> starts;
+  const Index points = solid.points.rows();
+  std::vector<Loop> loops;
   for (const SweepSide& side : topology.sides)
   {
-    // The side's triangle behind each edge of the loop, which runs the cap's way.
-    std::map<std::pair<Index, Index>, Index> faceAt;
+    loops.push_back(side.sourceLoop);
+  }
+  const std::vector<Index> next = nextOnLoops(loops, points);
+  std::vector<Index> faceOf(static_cast<std::size_t>(points), -1);
+  for (const SweepSide& side : topology.sides)
+  {
+    // The side's face behind each edge of the loop, which runs the cap's way.
     for (const Index row : side.triangles)
     {
       for (Index c = 0; c < 3; ++c)
       {
-        faceAt[{ solid.triangles(row, (c + 1) % 3), solid.triangles(row, c) }] =
-          solid.faceIds[static_cast<std::size_t>(row)];
+        const Index here = solid.triangles(row, (c + 1) % 3);
+        if (next[static_cast<std::size_t>(here)] == solid.triangles(row, c))
+        {
+          faceOf[static_cast<std::size_t>(here)] = solid.faceIds[static_cast<std::size_t>(row)];
+        }
       }
     }
-    const std::size_t n = side.sourceLoop.size();
-    for (std::size_t i = 0; i < n; ++i)
+    Index before = faceOf[static_cast<std::size_t>(side.sourceLoop.back())];
+    for (const Index here : side.sourceLoop)
     {
-      const Index before = side.sourceLoop[(i + n - 1) % n];
-      const Index here = side.sourceLoop[i];
-      const Index after = side.sourceLoop[(i + 1) % n];
-      if (faceAt.at({ before, here }) != faceAt.at({ here, after }))
+      const Index after = faceOf[static_cast<std::size_t>(here)];
+      if (before != after)
       {
         starts.push_back(here);
       }
+      before = after;
     }
   }
   return starts;

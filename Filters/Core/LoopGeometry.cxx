@@ -17,6 +17,19 @@ Points loopPoints(const PointsRef& points, const Loop& loop)
   return result;
 }
 
+std::vector<Index> nextOnLoops(const std::vector<Loop>& loops, Index numberOfPoints)
+{
+  std::vector<Index> next(static_cast<std::size_t>(numberOfPoints), -1);
+  for (const Loop& loop : loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      next[static_cast<std::size_t>(loop[i])] = loop[(i + 1) % loop.size()];
+    }
+  }
+  return next;
+}
+
 std::vector<double> reachedLengths(const PointsRef& polygon)
 {
   const Index n = polygon.rows();

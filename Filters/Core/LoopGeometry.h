@@ -15,6 +15,9 @@ namespace hexsweep
 /// Rows of points at the nodes of a loop.
 Points loopPoints(const PointsRef& points, const Loop& loop);
 
+/// Of each point: the one that follows it on its loop; -1: on no loop. @param loops apart.
+std::vector<Index> nextOnLoops(const std::vector<Loop>& loops, Index numberOfPoints);
+
 /// Length from the first node up to each node, 0 first; last entry (of n + 1): the whole length.
 std::vector<double> reachedLengths(const PointsRef& polygon);
 

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 
 namespace hexsweep
 {
@@ -273,12 +272,18 @@ std::vector<BoundaryQuad> boundaryQuads(
   addCap(cage.source, topology.sourceTriangles, 0);
   addCap(cage.target, topology.targetTriangles, layers);
 
-  std::map<std::pair<Index, Index>, std::pair<Index, int>> sideOf; // edge: quad, number of the edge
+  // By point of a loop: the quad at the edge to the next one, and the number of that edge. Loops
+  // run the way of the quads.
+  const std::vector<Index> next = nextOnLoops(cage.loops, n);
+  std::vector<std::pair<Index, int>> sideOf(at(n));
   for (Index q = 0; q < m; ++q)
   {
     for (Index c = 0; c < 4; ++c)
     {
-      sideOf[{ cage.quads(q, c), cage.quads(q, (c + 1) % 4) }] = { q, static_cast<int>(c) };
+      if (next[at(cage.quads(q, c))] == cage.quads(q, (c + 1) % 4))
+      {
+        sideOf[at(cage.quads(q, c))] = { q, static_cast<int>(c) };
+      }
     }
   }
   for (Index q = 0; q < cage.linking.mesh.quads.rows(); ++q)
@@ -293,9 +298,7 @@ std::vector<BoundaryQuad> boundaryQuads(
       quad.points[at(c)] = cage.linking.nodeRing[at(node)] * n + cage.linking.sourcePoint[at(node)];
       p[c] = cage.linking.mesh.points.row(node);
     }
-    // Loops run the way of the quads.
-    const auto [hex, side] = sideOf.at(
-      { cage.linking.sourcePoint[at(corners[0])], cage.linking.sourcePoint[at(corners[1])] });
+    const auto [hex, side] = sideOf[at(cage.linking.sourcePoint[at(corners[0])])];
     quad.hex = layer * m + hex;
     quad.face = side;
     quad.triangle = topology.sides[at(cage.linking.quadSide[at(q)])]

@@ -22,8 +22,38 @@ std::vector<Index> upTo(Index n)
   return ids;
 }
 
-SourceQuads newQuads(
-  const SolidSurface& solid, const SweepTopology& topology, double size, const Progress& progress)
+/// Edges of the source cap at which quads of the sides begin: points of the solid.
+std::vector<std::pair<Index, Index>> meshedEdges(
+  const SolidData& data, const SolidSurface& solid, const SweepTopology& topology)
+{
+  std::vector<std::pair<Index, Index>> edges;
+  for (const SweepSide& side : topology.sides)
+  {
+    std::map<std::pair<Index, Index>, bool> meshed;
+    for (const Index row : side.triangles)
+    {
+      const Index given = solid.triangleRows[static_cast<std::size_t>(row)];
+      const bool ofQuad = data.quadOfTriangle[static_cast<std::size_t>(given)] >= 0;
+      for (Index c = 0; c < 3; ++c)
+      {
+        meshed[{ solid.triangles(row, (c + 1) % 3), solid.triangles(row, c) }] = ofQuad;
+      }
+    }
+    const std::size_t n = side.sourceLoop.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const std::pair<Index, Index> edge(side.sourceLoop[i], side.sourceLoop[(i + 1) % n]);
+      if (meshed.at(edge))
+      {
+        edges.push_back(edge);
+      }
+    }
+  }
+  return edges;
+}
+
+SourceQuads newQuads(const SolidData& data, const SolidSurface& solid,
+  const SweepTopology& topology, double size, const Progress& progress)
 {
   if (!(size >= 0.0) || !std::isfinite(size))
   {
@@ -56,11 +86,20 @@ SourceQuads newQuads(
     cap.points.row(static_cast<Index>(i)) = solid.points.row(used[i]);
   }
   CapQuadOptions options;
-  options.size = size > 0.0 ? size : defaultQuadSize(cap);
   for (const Index point : edgeStarts(solid, topology))
   {
     options.keep.push_back(newId[static_cast<std::size_t>(point)]);
   }
+  double keptLength = 0.0;
+  for (const auto& [from, to] : meshedEdges(data, solid, topology))
+  {
+    options.keepEdges.emplace_back(
+      newId[static_cast<std::size_t>(from)], newId[static_cast<std::size_t>(to)]);
+    keptLength += (solid.points.row(from) - solid.points.row(to)).norm();
+  }
+  options.size = size > 0.0     ? size
+    : options.keepEdges.empty() ? defaultQuadSize(cap)
+                                : keptLength / static_cast<double>(options.keepEdges.size());
   SourceQuads result;
   result.mesh = meshCapWithQuads(cap, faceIds, options, progress).mesh;
   result.attributes.pointIds = upTo(result.mesh.points.rows());
@@ -128,7 +167,7 @@ SourceQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidDat
     result.origin = "Solid";
     return result;
   }
-  return newQuads(solid, topology, size, progress);
+  return newQuads(data, solid, topology, size, progress);
 }
 
 std::vector<std::vector<QuadMesh>> sidePatches(

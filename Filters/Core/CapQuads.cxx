@@ -89,6 +89,49 @@ void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
   }
 }
 
+/// Whether each curve consists of edges to keep, and these can be edges of the quads.
+std::vector<bool> keptCurves(
+  const std::vector<CapCurve>& curves, std::vector<std::pair<Index, Index>> edges)
+{
+  for (auto& edge : edges)
+  {
+    edge = std::minmax({ edge.first, edge.second });
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<bool> kept;
+  for (const CapCurve& curve : curves)
+  {
+    // Two triangles' edges on a curve, four on a loop: fewer are no mesh.
+    const std::size_t count = curve.points.size() - 1;
+    bool all = curve.loop >= 0 && count % 2 == 0 && count >= (curve.closed() ? 8 : 4);
+    for (std::size_t k = 0; k < count && all; ++k)
+    {
+      const std::pair<Index, Index> edge = std::minmax({ curve.points[k], curve.points[k + 1] });
+      all = std::binary_search(edges.begin(), edges.end(), edge);
+    }
+    kept.push_back(all);
+  }
+  return kept;
+}
+
+/// Every second point of the curves to keep is a node of the triangles.
+void divideAtEverySecondPoint(const PointsRef& points, const std::vector<CapCurve>& curves,
+  const std::vector<bool>& kept, std::vector<std::vector<double>>& divided)
+{
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    if (kept[c])
+    {
+      const ArcLengthChain chain = chainOf(points, curves[c]);
+      divided[c].clear();
+      for (std::size_t k = 0; k < curves[c].points.size(); k += 2)
+      {
+        divided[c].push_back(chain.reached(static_cast<Index>(k)));
+      }
+    }
+  }
+}
+
 /// Untangles the quads around inverted ones only: the others need no work, and there may be many.
 Points untangledLocally(const TriangleMesh& cap, const QuadMesh& mesh,
   const std::vector<bool>& fixed, const PointsRef& normals, const Progress& progress)
@@ -156,13 +199,15 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
 
   const std::vector<CapCurve> curves =
     traceCapCurves(cap, topology.loops, faceIds, options.keep, options.size);
-  const DividedCap prepared =
-    putNodesOnCurves(cap, curves, divideCapCurves(cap, curves, 2.0 * options.size), options.keep);
+  const std::vector<bool> kept = keptCurves(curves, options.keepEdges);
+  std::vector<std::vector<double>> divided = divideCapCurves(cap, curves, 2.0 * options.size);
+  divideAtEverySecondPoint(cap.points, curves, kept, divided);
+  const DividedCap prepared = putNodesOnCurves(cap, curves, divided, options.keep);
   const SurfaceProjection surface(cap);
   const TriangleRemesher::Result remeshed = remeshSurface(
     prepared.input, surface, TriangleSize * options.size, Growth, progressPart(progress, 0.0, 0.5));
 
-  const std::vector<CurveEdge> onCurves = curveEdges(prepared, remeshed.pointOf);
+  const std::vector<CurveEdge> onCurves = curveEdges(prepared, remeshed.pointOf, kept);
   std::vector<std::pair<Index, Index>> keptEdges;
   for (const CurveEdge& edge : onCurves)
   {

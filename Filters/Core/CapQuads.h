@@ -11,12 +11,17 @@
 
 #include "Mesh.h"
 
+#include <utility>
+
 namespace hexsweep
 {
 struct CapQuadOptions
 {
   double size = 0.0;       ///< wanted edge length of the quads, > 0, in the cap's length unit
   std::vector<Index> keep; ///< points of the cap that are to be nodes, in any order
+  /// Edges of the cap's boundary that are to be edges of the quads, undivided, as pairs of points
+  /// in any order.
+  std::vector<std::pair<Index, Index>> keepEdges;
 };
 
 struct CapQuads
@@ -42,7 +47,9 @@ struct CapQuads
  * of the loops (more than 30 degrees), points where faces meet and the points to keep are nodes;
  * between them loops and borders of faces are divided by arc length, evenly but where the cap is
  * narrower than the wanted size: edges there are as short as it is wide, and grow from there. Every
- * curve has an even number of edges; every loop at least eight.
+ * curve has an even number of edges; every loop at least eight. Edges to keep are kept on curves
+ * that consist of these alone, of an even number and at least four (eight where they are a whole
+ * loop).
  *
  * @param cap     oriented, one genus-0 piece, any number of loops, planar or not.
  * @param faceIds one a triangle: edges between different ids are kept as edges of the quads; empty:

@@ -95,7 +95,8 @@ DividedCap putNodesOnCurves(const TriangleMesh& cap, const std::vector<CapCurve>
   return prepared;
 }
 
-std::vector<CurveEdge> curveEdges(const DividedCap& prepared, const std::vector<Index>& pointOf)
+std::vector<CurveEdge> curveEdges(
+  const DividedCap& prepared, const std::vector<Index>& pointOf, const std::vector<bool>& kept)
 {
   std::vector<CurveEdge> edges;
   for (std::size_t c = 0; c < prepared.chains.size(); ++c)
@@ -112,8 +113,10 @@ std::vector<CurveEdge> curveEdges(const DividedCap& prepared, const std::vector<
       }
       if (last >= 0)
       {
-        edges.push_back(
-          { std::minmax(last, point), prepared.chains[c].at(0.5 * (lastReached + reached)) });
+        const Eigen::RowVector3d middle = kept[c]
+          ? prepared.chains[c].nodes().row(static_cast<Index>(k) - 1)
+          : prepared.chains[c].at(0.5 * (lastReached + reached));
+        edges.push_back({ std::minmax(last, point), middle });
       }
       last = point;
       lastReached = reached;

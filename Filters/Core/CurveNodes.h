@@ -44,8 +44,11 @@ struct CurveEdge
  * The edges on all curves, by their ends.
  *
  * @param pointOf see TriangleRemesher::Result.
+ * @param kept    one a curve: whether it is divided at every second point of the cap, and halved at
+ *                the others.
  */
-std::vector<CurveEdge> curveEdges(const DividedCap& prepared, const std::vector<Index>& pointOf);
+std::vector<CurveEdge> curveEdges(
+  const DividedCap& prepared, const std::vector<Index>& pointOf, const std::vector<bool>& kept);
 }
 
 #endif

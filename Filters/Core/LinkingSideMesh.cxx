@@ -79,7 +79,8 @@ LinkingSideColumns::LinkingSideColumns(
 {
   this->Search.emplace(this->Strip);
   this->placeRing(ring, matchTolerance);
-  this->Meshed = tracePatches(side.patches, this->Ring, matchTolerance);
+  this->Meshed = tracePatches(side.patches, this->Ring,
+    loopPoints(this->Strip.surface.points, this->Strip.target), matchTolerance);
   this->findEnds();
   this->measure();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SidePatches.h"
 
+#include "BoundarySearch.h"
 #include "Describe.h"
 #include "Errors.h"
 #include "SeamWelding.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace hexsweep
@@ -108,8 +110,9 @@ private:
 {
   throw InvalidInput("quads on a linking side (" + std::to_string(patch.quads.rows()) +
     ", the first at " + describe(patch.points.row(patch.quads(0, 0))) + ") " + why +
-    " Their nodes are not kept. To keep them, mesh that face with structured quads that begin at "
-    "nodes of the source quads and lead to the target cap.");
+    " Their nodes are not kept. To keep them, mesh that face with structured quads that lead to "
+    "the "
+    "target cap, and the source cap with quads that begin at their nodes.");
 }
 
 /// The columns of one patch: patch points by ring node and layer.
@@ -167,10 +170,30 @@ std::map<Index, std::vector<Index>> traceOne(
   }
   return columns;
 }
+
+/// Columns must not end below the target cap.
+void checkEnds(const QuadMesh& patch, const std::map<Index, std::vector<Index>>& columns,
+  const PointsRef& targetLoop, double matchTolerance)
+{
+  Loop loop(at(targetLoop.rows()));
+  std::iota(loop.begin(), loop.end(), Index{ 0 });
+  const BoundarySearch search(targetLoop, { loop });
+  for (const auto& [j, column] : columns)
+  {
+    const Eigen::RowVector3d end = patch.points.row(column.back());
+    const double step = (end - patch.points.row(column[column.size() - 2])).norm();
+    if (search.closest(end).distance > matchTolerance * step)
+    {
+      refuse(patch,
+        "do not reach the target cap: layer " + std::to_string(column.size() - 1) +
+          " is the last one and ends at " + describe(end) + ".");
+    }
+  }
+}
 }
 
-MeshedColumns tracePatches(
-  const std::vector<QuadMesh>& patches, const PointsRef& ring, double matchTolerance)
+MeshedColumns tracePatches(const std::vector<QuadMesh>& patches, const PointsRef& ring,
+  const PointsRef& targetLoop, double matchTolerance)
 {
   MeshedColumns result;
   result.columns.resize(at(ring.rows()));
@@ -180,6 +203,7 @@ MeshedColumns tracePatches(
     try
     {
       columns = traceOne(patch, ring, matchTolerance);
+      checkEnds(patch, columns, targetLoop, matchTolerance);
     }
     catch (const InvalidInput& error)
     {

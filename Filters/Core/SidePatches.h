@@ -30,13 +30,16 @@ struct MeshedColumns
  *
  * @param patches structured quads, any orientation; each begins at neighbouring nodes of the ring.
  * @param ring    n x 3, the nodes of the source loop in order.
- * @param matchTolerance relative to the shorter ring edge at a node.
- * A patch that has no edge on the ring, is not structured or has quads left over is refused.
+ * @param targetLoop m x 3, a closed polygon.
+ * @param matchTolerance relative to the shorter ring edge at a node, and to the last edge of a
+ *        column.
+ * A patch that has no edge on the ring, does not reach the target loop, is not structured or has
+ * quads left over is refused.
  *
  * @throw InvalidInput when patches have different numbers of layers.
  */
-MeshedColumns tracePatches(
-  const std::vector<QuadMesh>& patches, const PointsRef& ring, double matchTolerance);
+MeshedColumns tracePatches(const std::vector<QuadMesh>& patches, const PointsRef& ring,
+  const PointsRef& targetLoop, double matchTolerance);
 }
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <vtkMeshQuality.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkPartitionedDataSetCollection.h>
 
 namespace
 {
@@ -262,5 +263,49 @@ TEST(OneToOneSweep, CompositeDataAreRefused)
   SolidSweep sweep(blocks);
   sweep.name({ 3 }, {});
   test::expectOneError(sweep.filter, "composite");
+
+  vtkNew<vtkPartitionedDataSetCollection> parts;
+  parts->SetPartition(0, 0, test::solidGrid("flange"));
+  SolidSweep ofParts(parts);
+  ofParts.name({ 3 }, {});
+  test::expectOneError(ofParts.filter, "composite");
+
+  SolidSweep quadsOfParts(test::solidGrid("flange"), parts);
+  quadsOfParts.name({ 3 }, {});
+  test::expectOneError(quadsOfParts.filter, "source quads come as a composite");
+}
+
+TEST(OneToOneSweep, VolumeIdIsCarried)
+{
+  const auto volumeIds = [](vtkUnstructuredGrid* solid) {
+    SolidSweep sweep(solid);
+    sweep.name({ 26 }, {});
+    sweep.filter->SetNumberOfLayers(2);
+    sweep.filter->Update();
+    std::set<double> ids;
+    vtkDataArray* array = sweep.hexes()->GetCellData()->GetArray("VolumeId");
+    for (vtkIdType c = 0; array && c < array->GetNumberOfTuples(); ++c)
+    {
+      ids.insert(array->GetTuple1(c));
+    }
+    return ids;
+  };
+  const test::Grid surface = test::solidGrid("bracket");
+  EXPECT_EQ(volumeIds(surface), std::set<double>{});
+  vtkNew<vtkDoubleArray> ids;
+  ids->SetName("VolumeId");
+  ids->SetNumberOfValues(surface->GetNumberOfCells());
+  ids->Fill(7.0);
+  surface->GetCellData()->AddArray(ids);
+  EXPECT_EQ(volumeIds(surface), std::set<double>{ 7.0 });
+  ids->SetValue(5, 8.0); // no one volume
+  EXPECT_EQ(volumeIds(surface), std::set<double>{});
+  // As gmsh writes it: the volume cells' own entity, beside those of the faces.
+  surface->GetCellData()->RemoveArray("VolumeId");
+  surface->GetCellData()->GetArray("FaceId")->SetName("CellEntityIds");
+  const vtkIdType corners[4] = { 0, 1, 2, 3 };
+  surface->InsertNextCell(VTK_TETRA, 4, corners);
+  surface->GetCellData()->GetArray("CellEntityIds")->InsertNextTuple1(31.0);
+  EXPECT_EQ(volumeIds(surface), std::set<double>{ 31.0 });
 }
 }

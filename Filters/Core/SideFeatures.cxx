@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <queue>
+#include <tuple>
 
 namespace hexsweep
 {
@@ -56,22 +58,116 @@ std::vector<Place> placesOf(Index n, const Loop& sourceLoop, const Loop& targetL
   return places;
 }
 
-/// The next point that continues a -> b most directly, or -1.
-Index straightest(const PointsRef& points, Index a, Index b, const std::vector<Index>& choices)
+/// The cheapest way along borders from a point of the source loop to the target loop: its length,
+/// plus `size` times 1 - cos of each turn. Empty: there is none that avoids taken points.
+struct BorderPath
 {
-  const Eigen::RowVector3d direction = (points.row(b) - points.row(a)).normalized();
-  Index best = -1;
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Index c : choices)
+  double cost = 0.0;
+  std::vector<Index> points;
+};
+
+class BorderTracing
+{
+public:
+  BorderTracing(const PointsRef& points, const Neighbors& borders, const std::vector<Place>& places)
+    : Coordinates(points)
+    , Borders(borders)
+    , Places(places)
+    , First(borders.size() + 1, 0)
+    , Size((points.colwise().maxCoeff() - points.colwise().minCoeff()).norm())
   {
-    const double cosine = direction.dot((points.row(c) - points.row(b)).normalized());
-    if (c != a && cosine > most)
+    for (std::size_t i = 0; i < borders.size(); ++i)
     {
-      most = cosine;
-      best = c;
+      this->First[i + 1] = this->First[i] + borders[i].size();
     }
   }
-  return best;
+
+  /// Dijkstra's algorithm on directed edges, whose ends know where they come from.
+  BorderPath from(Index start, const std::vector<bool>& taken) const
+  {
+    struct Step
+    {
+      double cost;
+      Index from;
+      Index to;
+      std::size_t edge;
+      bool operator>(const Step& other) const
+      {
+        return std::tie(this->cost, this->edge) > std::tie(other.cost, other.edge);
+      }
+    };
+    std::map<std::size_t, std::size_t> before; // of each edge that is reached
+    std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
+    std::map<std::size_t, Index> origin;
+    std::map<std::size_t, double> reached;
+    const auto pushFrom = [&](Index last, Index here, double cost, std::size_t edge) {
+      const std::vector<Index>& choices = this->Borders[static_cast<std::size_t>(here)];
+      for (std::size_t k = 0; k < choices.size(); ++k)
+      {
+        const Index next = choices[k];
+        const auto at = static_cast<std::size_t>(next);
+        const std::size_t own = this->First[static_cast<std::size_t>(here)] + k;
+        if (next == last || taken[at] || this->Places[at] == Place::Source)
+        {
+          continue;
+        }
+        const Eigen::RowVector3d way = this->Coordinates.row(next) - this->Coordinates.row(here);
+        double total = cost + way.norm();
+        if (last >= 0)
+        {
+          const Eigen::RowVector3d came = this->Coordinates.row(here) - this->Coordinates.row(last);
+          total += this->Size * (1.0 - came.normalized().dot(way.normalized()));
+        }
+        const auto known = reached.find(own);
+        if (known == reached.end() || total < known->second)
+        {
+          reached[own] = total;
+          before[own] = edge;
+          origin[own] = here;
+          open.push({ total, here, next, own });
+        }
+      }
+    };
+    constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+    pushFrom(-1, start, 0.0, None);
+    while (!open.empty())
+    {
+      const Step step = open.top();
+      open.pop();
+      if (step.cost > reached[step.edge])
+      {
+        continue;
+      }
+      if (this->Places[static_cast<std::size_t>(step.to)] != Place::Target)
+      {
+        pushFrom(step.from, step.to, step.cost, step.edge);
+        continue;
+      }
+      BorderPath path;
+      path.cost = step.cost;
+      path.points.push_back(step.to);
+      for (std::size_t edge = step.edge; edge != None; edge = before[edge])
+      {
+        path.points.push_back(origin[edge]);
+      }
+      std::reverse(path.points.begin(), path.points.end());
+      return path;
+    }
+    return {};
+  }
+
+private:
+  const PointsRef& Coordinates;
+  const Neighbors& Borders;
+  const std::vector<Place>& Places;
+  std::vector<std::size_t> First; ///< number of the first edge at each point
+  double Size;
+};
+
+bool meetsItself(std::vector<Index> points)
+{
+  std::sort(points.begin(), points.end());
+  return std::adjacent_find(points.begin(), points.end()) != points.end();
 }
 }
 
@@ -80,48 +176,42 @@ std::vector<std::vector<Index>> crossingFeatures(const TriangleMesh& surface,
 {
   const Neighbors borders = faceBorders(surface, faceIds);
   const std::vector<Place> places = placesOf(surface.points.rows(), sourceLoop, targetLoop);
+  const PointsRef points(surface.points);
+  const BorderTracing tracing(points, borders, places);
   std::vector<bool> taken(places.size(), false);
-  std::vector<std::vector<Index>> paths;
-  for (const Index start : sourceLoop)
+  std::vector<std::pair<double, std::size_t>> order; // cost, place on the source loop
+  std::vector<BorderPath> best(sourceLoop.size());
+  for (std::size_t i = 0; i < sourceLoop.size(); ++i)
   {
-    for (const Index second : borders[static_cast<std::size_t>(start)])
+    best[i] = tracing.from(sourceLoop[i], taken);
+    if (!best[i].points.empty())
     {
-      std::vector<Index> path = { start };
-      std::vector<Index> visited = { start };
-      bool blocked = taken[static_cast<std::size_t>(start)];
-      Index last = start;
-      Index next = second;
-      while (!blocked && next >= 0)
-      {
-        const std::size_t at = static_cast<std::size_t>(next);
-        blocked = taken[at] || places[at] == Place::Source;
-        taken[at] = true;
-        visited.push_back(next);
-        path.push_back(next);
-        if (blocked || places[at] == Place::Target)
-        {
-          break;
-        }
-        const Index following = straightest(surface.points, last, next, borders[at]);
-        last = next;
-        next = following;
-      }
-      if (!blocked && places[static_cast<std::size_t>(path.back())] == Place::Target)
-      {
-        taken[static_cast<std::size_t>(start)] = true;
-        paths.push_back(std::move(path));
-      }
-      else if (!visited.empty())
-      {
-        // What was walked over in vain is free again; a point that another path holds stays so.
-        const std::size_t own = visited.size() - (blocked && visited.size() > 1 ? 1 : 0);
-        for (std::size_t i = 1; i < own; ++i)
-        {
-          taken[static_cast<std::size_t>(visited[i])] = false;
-        }
-      }
+      order.emplace_back(best[i].cost, i);
     }
   }
+  std::sort(order.begin(), order.end());
+  const auto isTaken = [&](Index p) { return taken[static_cast<std::size_t>(p)]; };
+  std::vector<std::vector<Index>> paths(sourceLoop.size());
+  for (const auto& [cost, i] : order)
+  {
+    BorderPath& path = best[i];
+    if (std::any_of(path.points.begin(), path.points.end(), isTaken))
+    {
+      path = tracing.from(sourceLoop[i], taken);
+    }
+    if (meetsItself(path.points))
+    {
+      continue;
+    }
+    for (const Index p : path.points)
+    {
+      taken[static_cast<std::size_t>(p)] = true;
+    }
+    paths[i] = std::move(path.points);
+  }
+  paths.erase(std::remove_if(paths.begin(), paths.end(),
+                [](const std::vector<Index>& path) { return path.empty(); }),
+    paths.end());
   return paths;
 }
 

@@ -13,9 +13,10 @@ namespace hexsweep
 /**
  * Traces the borders between faces from one loop of a tube to the other.
  *
- * Where several borders meet, the path goes straight on as far as it can: borders that cross the
- * layers (as those of faces that are stacked in the sweep's direction do) are left aside. Paths
- * that come back to their loop, end in the side or run into another path are left out.
+ * Each path is the way along borders that is shortest and turns least (1 - cos of a turn counts as
+ * that part of the side's size), so that borders that cross the layers (as those of faces that are
+ * stacked in the sweep's direction do) are left aside, but followed round a step or a groove. The
+ * best paths come first; others give way to them or are left out.
  *
  * @param surface an oriented tube. @param faceIds one a triangle.
  * @param sourceLoop, targetLoop its boundary loops.

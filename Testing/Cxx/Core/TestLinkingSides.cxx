@@ -202,6 +202,52 @@ TEST(LinkingSides, SideWithoutCadEdgesFollowsTheOthers)
   }
 }
 
+// A box with a groove across its left side. At the groove's corners borders lead straighter on
+// across the left side than round the groove.
+TEST(LinkingSides, EdgesRoundAGrooveAreKept)
+{
+  const auto profile = [](const double(&values)[6], double u) {
+    const int part = std::min(4, static_cast<int>(5.0 * u));
+    return values[part] + (5.0 * u - part) * (values[part + 1] - values[part]);
+  };
+  const Place box = [&](double v, double u) -> Eigen::RowVector3d {
+    const double side = 4.0 * (v - std::floor(v));
+    const double t = side - std::floor(side);
+    const double x = profile({ 0.0, 0.0, 0.4, 0.4, 0.0, 0.0 }, u);
+    const double z = profile({ 0.0, 1.0, 1.0, 2.0, 2.0, 3.0 }, u);
+    switch (static_cast<int>(side))
+    {
+      case 0:
+        return { x + t * (2.0 - x), 0.0, z + t * (3.0 * u - z) };
+      case 1:
+        return { 2.0, 2.0 * t, 3.0 * u };
+      case 2:
+        return { 2.0 + t * (x - 2.0), 2.0, 3.0 * u + t * (z - 3.0 * u) };
+      default:
+        return { x, 2.0 - 2.0 * t, z + 4.0 * t * (1.0 - t) * u * (1.0 - u) };
+    }
+  };
+  const LinkingSide side = tube(32, 20, box, [](double v, double u) {
+    const Index quarter = static_cast<Index>(4.0 * v);
+    return quarter < 3 ? quarter : 3 + static_cast<Index>(5.0 * u);
+  });
+  constexpr Index Columns = 16;
+  const LinkingSidesMesh result = mesh(side, ringOf(Columns, box), layers(19));
+  EXPECT_EQ(result.keptEdges, 4);
+  EXPECT_TRUE(result.lostEdges.empty());
+  for (const Index corner : { Index(0), Index(12) })
+  {
+    for (Index k = 0; k <= 19; ++k)
+    {
+      const Eigen::RowVector3d place = node(result, Columns, k, corner);
+      const double z = 3.8 * static_cast<double>(k) / 19.0; // length along the edge
+      const double x = std::max(0.0, std::min({ z - 1.0, 0.4, 2.8 - z }));
+      EXPECT_NEAR(place[0], x, 1e-12) << "layer " << k;
+      EXPECT_NEAR(place[1], corner == 0 ? 0.0 : 2.0, 1e-12);
+    }
+  }
+}
+
 // A facetted right cylinder has straight generators and plane rings: nodes are known.
 TEST(LinkingSides, CylinderIsMeshedExactly)
 {

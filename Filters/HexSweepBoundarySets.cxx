@@ -118,6 +118,29 @@ vtkSmartPointer<vtkIntArray> newBlockIds(vtkUnstructuredGrid* hexes)
   return ids;
 }
 
+std::vector<vtkIdType> boundaryFirst(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
+{
+  std::vector<vtkIdType> order;
+  std::vector<bool> taken(static_cast<std::size_t>(hexes->GetNumberOfCells()), false);
+  const auto take = [&](vtkIdType hex) {
+    if (!taken[static_cast<std::size_t>(hex)])
+    {
+      taken[static_cast<std::size_t>(hex)] = true;
+      order.push_back(hex);
+    }
+  };
+  vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
+  for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
+  {
+    take(idAt(hexIds, q));
+  }
+  for (vtkIdType hex = 0; hex < hexes->GetNumberOfCells(); ++hex)
+  {
+    take(hex);
+  }
+  return order;
+}
+
 /// Points of the boundary that the quads use, in the order in which they do.
 struct UsedPoints
 {
@@ -188,12 +211,28 @@ std::string volumeName(vtkUnstructuredGrid* hexes)
   return "Volume " + std::to_string(volumes ? idAt(volumes, 0) : vtkIdType{ 1 });
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(vtkUnstructuredGrid* hexes)
+vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
+  vtkNew<vtkCellData> cellData;
+  cellData->ShallowCopy(hexes->GetCellData());
+  cellData->AddArray(newBlockIds(hexes));
+  cellData->SetGlobalIds(newGlobalIds("GlobalElementId", hexes->GetNumberOfCells()));
+
   auto block = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  block->ShallowCopy(hexes);
-  block->GetCellData()->AddArray(newBlockIds(hexes));
-  block->GetCellData()->SetGlobalIds(newGlobalIds("GlobalElementId", hexes->GetNumberOfCells()));
+  block->SetPoints(hexes->GetPoints());
+  block->GetPointData()->ShallowCopy(hexes->GetPointData());
+  block->GetCellData()->CopyAllOn();
+  block->GetCellData()->CopyAllocate(cellData, hexes->GetNumberOfCells());
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(hexes->GetNumberOfCells(), 8 * hexes->GetNumberOfCells());
+  vtkNew<vtkIdList> corners;
+  for (const vtkIdType hex : boundaryFirst(hexes, boundary))
+  {
+    hexes->GetCellPoints(hex, corners);
+    block->GetCellData()->CopyData(cellData, hex, cells->InsertNextCell(corners));
+  }
+  block->SetCells(VTK_HEXAHEDRON, cells);
   block->GetPointData()->SetGlobalIds(newGlobalIds("GlobalNodeId", hexes->GetNumberOfPoints()));
   vtkNew<vtkFieldData> numbers;
   for (int a = 0; a < hexes->GetFieldData()->GetNumberOfArrays(); ++a)

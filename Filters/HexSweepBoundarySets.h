@@ -37,8 +37,13 @@ std::vector<BoundarySet> boundarySets(vtkUnstructuredGrid* hexes, vtkUnstructure
 /// Field data array `VolumeName`, else "Volume" with the first `VolumeId` (1: there is none).
 std::string volumeName(vtkUnstructuredGrid* hexes);
 
-/// The hexahedra with `ObjectId`, `GlobalElementId` and `GlobalNodeId` (these from 1 on).
-vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(vtkUnstructuredGrid* hexes);
+/**
+ * The hexahedra with `ObjectId`, `GlobalElementId` and `GlobalNodeId` (these from 1 on, in the
+ * order of `hexes`). Those on the boundary come first: vtkExodusIIWriter searches the elements from
+ * the first one on for each side.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary);
 
 /// Quads with `SourceElementId` (from 0 on) and `SourceElementSide` (in VTK's order).
 vtkSmartPointer<vtkUnstructuredGrid> newSideSet(

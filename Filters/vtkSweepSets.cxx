@@ -59,7 +59,8 @@ int vtkSweepSets::RequestData(
     setBlock(output, 0, "Element Blocks", elementBlocks);
     setBlock(output, 1, "Side Sets", sideSets);
     setBlock(output, 2, "Node Sets", nodeSets);
-    setBlock(elementBlocks, 0, hexsweep::volumeName(hexes), hexsweep::newElementBlock(hexes));
+    setBlock(
+      elementBlocks, 0, hexsweep::volumeName(hexes), hexsweep::newElementBlock(hexes, boundary));
     hexsweep::passTextsAndReports(hexes, output);
     unsigned int i = 0;
     for (const hexsweep::BoundarySet& set : sets)

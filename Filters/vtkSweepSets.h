@@ -25,9 +25,10 @@
  *   `BoundaryPart`, `HexId` and `HexSide` of vtkOneToOneSweep.
  *
  * The output has three blocks:
- * - `Element Blocks`: the hexahedra. Their block id is the cell array `VolumeId` (1 where there is
- *   none, or where an id does not fit: below 1 or over 2^31 - 1); the name is that of the field
- *   data array `VolumeName`, else "Volume" and the id.
+ * - `Element Blocks`: the hexahedra, those on the boundary first, which spares vtkExodusIIWriter
+ *   a long search; their numbers in the input, from 1 on, are their ids in the file. The block id
+ *   is the cell array `VolumeId` (1 where there is none, or where an id does not fit: below 1 or
+ *   over 2^31 - 1); the name is that in the field data array `VolumeName`, else "Volume" and it.
  * - `Side Sets`: one a face of the solid, "Face ID:3" for face 3, whose id it has; then "Source",
  *   "Target" and "Sides" with the ids that follow. Where a face id is below 1 or over a million,
  *   all sets are numbered from 1 on in the order of the face ids instead, which stay in the names.

@@ -56,6 +56,7 @@ def read_back():
             reader.SetObjectStatus(kind, i, 1)
             ids[kind, reader.GetObjectName(kind, i)] = reader.GetObjectId(kind, i)
     reader.GenerateGlobalNodeIdArrayOn()
+    reader.GenerateGlobalElementIdArrayOn()
     reader.Update()
     found = {kind: {} for kind in kinds}
     output = reader.GetOutput()
@@ -76,7 +77,7 @@ def rows_in_order(rows):
     return rows[np.lexsort(rows.T)]
 
 
-def same_points(a, b):
+def same_rows(a, b):
     return a.shape == b.shape and np.array_equal(rows_in_order(a), rows_in_order(b))
 
 
@@ -117,9 +118,17 @@ nodes = nodes_of(block)
 check(np.array_equal(np.sort(nodes), np.arange(hexes.GetNumberOfPoints())), "nodes of the block")
 hex_points = points_of(hexes).astype(AS_READ)
 check(np.array_equal(points_of(block), hex_points[nodes]), "coordinates of the block")
-check(np.array_equal(nodes[faces_of(block)], faces_of(hexes)), "hexahedra of the block")
+elements = cell_array(block, "GlobalElementId") - 1
 check(
-    np.array_equal(cell_array(block, "ScaledJacobian"), cell_array(hexes, "ScaledJacobian")),
+    np.array_equal(np.sort(elements), np.arange(hexes.GetNumberOfCells())), "elements of the block"
+)
+check(
+    np.array_equal(nodes[faces_of(block)], faces_of(hexes)[elements]), "hexahedra of the block"
+)
+check(
+    np.array_equal(
+        cell_array(block, "ScaledJacobian"), cell_array(hexes, "ScaledJacobian")[elements]
+    ),
     "cell data of the block",
 )
 
@@ -149,7 +158,7 @@ for name, mask in of_boundary.items():
         f"{name}: the sides are the boundary's quads, facing outward",
     )
     check(
-        same_points(points_of(node_set), points[np.unique(faces[mask])]),
+        same_rows(points_of(node_set), points[np.unique(faces[mask])]),
         f"{name}: the nodes are those of the boundary's quads",
     )
     check(
@@ -174,6 +183,6 @@ names = {  # in lower case, without spaces
 expected = {name.lower().replace(" ", "_") for name in of_boundary}
 check(expected <= set(names), f"ParaView shows {sorted(names)}")
 in_paraview = collection.GetPartition(names[f"volume_{VOLUME}"], 0)
-check(same_points(points_of(in_paraview), points_of(hexes)), "coordinates in double precision")
-check(np.array_equal(faces_of(in_paraview), faces_of(hexes)), "hexahedra in ParaView")
+check(same_rows(points_of(in_paraview), points_of(hexes)), "coordinates in double precision")
+check(same_rows(faces_of(in_paraview), faces_of(hexes)), "hexahedra in ParaView")
 finish()

@@ -101,7 +101,10 @@ SourceQuads newQuads(const SolidData& data, const SolidSurface& solid,
     : options.keepEdges.empty() ? defaultQuadSize(cap)
                                 : keptLength / static_cast<double>(options.keepEdges.size());
   SourceQuads result;
-  result.mesh = meshCapWithQuads(cap, faceIds, options, progress).mesh;
+  CapQuads made = meshCapWithQuads(cap, faceIds, options, progress);
+  result.mesh = std::move(made.mesh);
+  result.inverted = made.inverted;
+  result.size = options.size;
   result.attributes.pointIds = upTo(result.mesh.points.rows());
   result.attributes.cellIds = upTo(result.mesh.quads.rows());
   result.origin = "made";

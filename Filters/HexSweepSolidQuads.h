@@ -23,6 +23,8 @@ struct SourceQuads
   QuadMesh mesh;
   SourceAttributes attributes;
   std::string origin; ///< for the report: "SourceQuads", "Solid" or "made"
+  Index inverted = 0; ///< of quads that were made here
+  double size = 0.0;  ///< edge length that these were to have
 };
 
 /// Where the borders between the faces of linking sides begin: points of the solid on the loops of

@@ -2,6 +2,7 @@
 #include "vtkOneToOneSweep.h"
 
 #include "Core/Constants.h"
+#include "Core/Describe.h"
 #include "Core/SolidCage.h"
 #include "HexSweepBoundaryGrid.h"
 #include "HexSweepBridge.h"
@@ -222,6 +223,14 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   clock.report(output->GetFieldData());
 
   std::vector<std::string> warnings = linkingWarnings(cage.linking);
+  if (quads.inverted > 0)
+  {
+    warnings.push_back(std::to_string(quads.inverted) +
+      " of the quads that were made on the source cap are inverted: edges of length " +
+      describe(quads.size) +
+      " are too long for its holes or walls. Set QuadSize to a smaller length, or give quads of "
+      "the source cap.");
+  }
   warnings.push_back(
     describeMismatch(cage.mismatch, "source cap of the solid", "boundary of the source quads"));
   warnings.insert(warnings.end(), hexes.warnings.begin(), hexes.warnings.end());

@@ -23,6 +23,8 @@ _READERS = {
     ".ply": ("vtkIOPLY", "vtkPLYReader"),
     ".obj": ("vtkIOGeometry", "vtkOBJReader"),
 }
+_EXODUS = (".ex2", ".exo", ".e")
+_WRITTEN = (".vtu", *_EXODUS)
 
 
 def main(arguments=None):
@@ -76,6 +78,8 @@ def _parse(arguments):
     options = parser.parse_args(arguments)
     if options.source and not options.output:
         parser.error("name the file to write: -o part.vtu")
+    if options.output and os.path.splitext(options.output)[1].lower() not in _WRITTEN:
+        parser.error(f"cannot write {os.path.splitext(options.output)[1]} files; use .vtu or .ex2")
     return options
 
 
@@ -94,7 +98,7 @@ def _read(file_name):
 
 def _write(sweep, file_name):
     extension = os.path.splitext(file_name)[1].lower()
-    if extension in (".ex2", ".exo", ".e"):
+    if extension in _EXODUS:
         from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 
         from . import vtkSweepSets
@@ -104,14 +108,12 @@ def _write(sweep, file_name):
         sets.SetBoundaryConnection(sweep.GetOutputPort(1))
         writer = vtkExodusIIWriter()
         writer.SetInputConnection(sets.GetOutputPort())
-    elif extension == ".vtu":
+    else:
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
         writer = vtkXMLUnstructuredGridWriter()
         writer.SetInputConnection(sweep.GetOutputPort(0))
         writer.SetDataModeToBinary()
-    else:
-        sys.exit(f"{file_name}: cannot write {extension} files; use .vtu, .ex2 or .exo")
     writer.SetFileName(file_name)
     writer.Write()
 

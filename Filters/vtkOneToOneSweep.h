@@ -152,8 +152,8 @@ public:
   ///@}
 
   ///@{
-  /// Raise the quality of the quads on the target cap and of the hexahedra; no least value falls and no
-  /// certificate is lost. On by default.
+  /// Raise the quality of the quads on the target cap and of the hexahedra; no least value falls
+  /// and no certificate is lost. On by default.
   vtkSetMacro(ImproveQuality, bool);
   vtkGetMacro(ImproveQuality, bool);
   vtkBooleanMacro(ImproveQuality, bool);

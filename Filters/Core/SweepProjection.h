@@ -48,10 +48,10 @@ struct SweepProjectionInput
 struct SweepProjection
 {
   ProjectedQuads quads;
-  QuadQuality quality;       ///< of the quads on the target surface
+  QuadQuality quality;           ///< of the quads on the target surface
   FixedQuadCorners fixedCorners; ///< of those quads: what their boundary nodes alone decide
-  Index invertedBefore = 0;  ///< quads that the projection itself inverted
-  int rounds = 0;            ///< descents of untangling and polishing
+  Index invertedBefore = 0;      ///< quads that the projection itself inverted
+  int rounds = 0;                ///< descents of untangling and polishing
   /// The maps that were used; empty for AffineLeastSquares.
   std::optional<CapDisk> source;
   std::optional<CapDisk> target;

@@ -4,6 +4,7 @@
 #include "Core/CapQuads.h"
 #include "Core/Errors.h"
 #include "Core/LoopGeometry.h"
+#include "Core/SurfacePart.h"
 #include "HexSweepBridge.h"
 
 #include <vtkDataSet.h>
@@ -60,41 +61,22 @@ SourceQuads newQuads(const SolidData& data, const SolidSurface& solid,
     throw InvalidInput("the quad size is not a length. Set QuadSize to a positive length, or to 0 "
                        "for a size that fits the source cap.");
   }
-  TriangleMesh cap;
-  std::vector<Index> newId(static_cast<std::size_t>(solid.points.rows()), -1);
-  std::vector<Index> used;
+  const SurfacePart part = surfacePart(solid.points, solid.triangles, topology.sourceTriangles);
+  const TriangleMesh& cap = part.mesh;
   std::vector<Index> faceIds;
-  cap.triangles.resize(static_cast<Index>(topology.sourceTriangles.size()), 3);
-  for (Index t = 0; t < cap.triangles.rows(); ++t)
+  for (const Index row : topology.sourceTriangles)
   {
-    const Index row = topology.sourceTriangles[static_cast<std::size_t>(t)];
-    for (Index c = 0; c < 3; ++c)
-    {
-      Index& id = newId[static_cast<std::size_t>(solid.triangles(row, c))];
-      if (id < 0)
-      {
-        id = static_cast<Index>(used.size());
-        used.push_back(solid.triangles(row, c));
-      }
-      cap.triangles(t, c) = id;
-    }
     faceIds.push_back(solid.faceIds[static_cast<std::size_t>(row)]);
-  }
-  cap.points.resize(static_cast<Index>(used.size()), 3);
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    cap.points.row(static_cast<Index>(i)) = solid.points.row(used[i]);
   }
   CapQuadOptions options;
   for (const Index point : edgeStarts(solid, topology))
   {
-    options.keep.push_back(newId[static_cast<std::size_t>(point)]);
+    options.keep.push_back(part.idOf(point));
   }
   double keptLength = 0.0;
   for (const auto& [from, to] : meshedEdges(data, solid, topology))
   {
-    options.keepEdges.emplace_back(
-      newId[static_cast<std::size_t>(from)], newId[static_cast<std::size_t>(to)]);
+    options.keepEdges.emplace_back(part.idOf(from), part.idOf(to));
     keptLength += (solid.points.row(from) - solid.points.row(to)).norm();
   }
   options.size = size > 0.0     ? size

@@ -8,6 +8,7 @@
 #include "LayerSpacing.h"
 #include "LoopGeometry.h"
 #include "SideTurns.h"
+#include "SurfacePart.h"
 #include "SurfaceTopology.h"
 
 #include <algorithm>
@@ -147,36 +148,16 @@ std::vector<QuadMesh> patchesOf(const LinkingSurface& surface, const std::vector
   return patches;
 }
 
-/// The rows of a surface as a mesh of its own.
-LinkingSide partOf(const TriangleMesh& surface, const std::vector<Index>& faceIds,
-  const std::vector<Index>& rows, std::vector<Index>& newId)
+/// Some rows of a surface, with their faces.
+LinkingSide sideOf(const LinkingSurface& surface, const std::vector<Index>& rows)
 {
   LinkingSide side;
-  std::vector<Index> used;
-  side.surface.triangles.resize(static_cast<Index>(rows.size()), 3);
-  for (std::size_t r = 0; r < rows.size(); ++r)
+  side.surface = surfacePart(surface.mesh.points, surface.mesh.triangles, rows).mesh;
+  for (const Index row : surface.faceIds.empty() ? std::vector<Index>{} : rows)
   {
-    for (Index c = 0; c < 3; ++c)
-    {
-      const Index point = surface.triangles(rows[r], c);
-      if (newId[at(point)] < 0)
-      {
-        newId[at(point)] = static_cast<Index>(used.size());
-        used.push_back(point);
-      }
-      side.surface.triangles(static_cast<Index>(r), c) = newId[at(point)];
-    }
-    if (!faceIds.empty())
-    {
-      side.faceIds.push_back(faceIds[at(rows[r])]);
-    }
+    side.faceIds.push_back(surface.faceIds[at(row)]);
   }
-  side.surface.points.resize(static_cast<Index>(used.size()), 3);
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    side.surface.points.row(static_cast<Index>(i)) = surface.points.row(used[i]);
-    newId[at(used[i])] = -1;
-  }
+  side.patches = patchesOf(surface, rows);
   return side;
 }
 }
@@ -206,11 +187,9 @@ std::vector<LinkingSide> splitLinkingSides(
   std::vector<LinkingSide> sides;
   std::vector<std::vector<Loop>> loops;
   Curves curves;
-  std::vector<Index> newId(at(surface.points.rows()), -1);
   for (const std::vector<Index>& piece : rows)
   {
-    sides.push_back(partOf(surface, given.faceIds, piece, newId));
-    sides.back().patches = patchesOf(given, piece);
+    sides.push_back(sideOf(given, piece));
     TriangleMesh& mesh = sides.back().surface;
     mesh.triangles = orientFaces(mesh.triangles, "linking surface");
     const SurfaceTopology topology =

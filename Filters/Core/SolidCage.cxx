@@ -6,6 +6,7 @@
 #include "LinkingRings.h"
 #include "LoopGeometry.h"
 #include "RingCollapse.h"
+#include "SurfacePart.h"
 #include "SurfaceTopology.h"
 #include "TriangleSearch.h"
 
@@ -27,38 +28,9 @@ std::size_t at(Index i)
   return static_cast<std::size_t>(i);
 }
 
-/// Some triangles of the solid as a mesh of their own.
-struct Part
+SurfacePart partOf(const SolidSurface& solid, const std::vector<Index>& rows)
 {
-  TriangleMesh mesh;
-  std::vector<Index> newId; ///< of each point of the solid; -1: not in use
-};
-
-Part partOf(const SolidSurface& solid, const std::vector<Index>& rows)
-{
-  Part part;
-  part.newId.assign(at(solid.points.rows()), -1);
-  part.mesh.triangles.resize(static_cast<Index>(rows.size()), 3);
-  std::vector<Index> used;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-  {
-    for (Index c = 0; c < 3; ++c)
-    {
-      const Index point = solid.triangles(rows[r], c);
-      if (part.newId[at(point)] < 0)
-      {
-        part.newId[at(point)] = static_cast<Index>(used.size());
-        used.push_back(point);
-      }
-      part.mesh.triangles(static_cast<Index>(r), c) = part.newId[at(point)];
-    }
-  }
-  part.mesh.points.resize(static_cast<Index>(used.size()), 3);
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    part.mesh.points.row(static_cast<Index>(i)) = solid.points.row(used[i]);
-  }
-  return part;
+  return surfacePart(solid.points, solid.triangles, rows);
 }
 
 std::vector<LinkingSide> linkingSides(const SolidCageInput& input)
@@ -67,7 +39,7 @@ std::vector<LinkingSide> linkingSides(const SolidCageInput& input)
   for (std::size_t s = 0; s < input.topology.sides.size(); ++s)
   {
     const SweepSide& given = input.topology.sides[s];
-    Part part = partOf(input.solid, given.triangles);
+    SurfacePart part = partOf(input.solid, given.triangles);
     LinkingSide side;
     side.surface = std::move(part.mesh);
     for (const Index row : given.triangles)
@@ -76,7 +48,7 @@ std::vector<LinkingSide> linkingSides(const SolidCageInput& input)
     }
     for (const Index point : given.sourceLoop)
     {
-      side.sourceLoop.push_back(part.newId[at(point)]);
+      side.sourceLoop.push_back(part.idOf(point));
     }
     if (!input.patches.empty())
     {
@@ -195,8 +167,8 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   SolidCage cage;
   Stages stages(cage.seconds);
   cage.loops = topology.loops;
-  const Part source = partOf(input.solid, input.topology.sourceTriangles);
-  const Part target = partOf(input.solid, input.topology.targetTriangles);
+  const SurfacePart source = partOf(input.solid, input.topology.sourceTriangles);
+  const SurfacePart target = partOf(input.solid, input.topology.targetTriangles);
   cage.greatestDistance = distanceFromCap(input.source, source.mesh);
   stages.finish("Check");
 
@@ -249,7 +221,7 @@ std::vector<BoundaryQuad> boundaryQuads(
     }
   };
   const auto addCap = [&](const Points& points, const std::vector<Index>& triangles, Index layer) {
-    const Part part = partOf(solid, triangles);
+    const SurfacePart part = partOf(solid, triangles);
     const TriangleSearch search(part.mesh.points, part.mesh.triangles);
     Index near = -1;
     for (Index q = 0; q < m; ++q)

@@ -2,6 +2,7 @@
 #include "HexSweepSolidQuads.h"
 
 #include "Core/CapQuads.h"
+#include "Core/Constants.h"
 #include "Core/Errors.h"
 #include "Core/LoopGeometry.h"
 #include "Core/SurfacePart.h"
@@ -9,6 +10,9 @@
 
 #include <vtkDataSet.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -16,6 +20,10 @@ namespace hexsweep
 {
 namespace
 {
+/// Quads that are much smaller than the facets of a curve are bent at the facets' corners: the
+/// shortest default edge, in facets.
+constexpr double QuadsOnFacet = 0.5;
+
 std::vector<Index> upTo(Index n)
 {
   std::vector<Index> ids(static_cast<std::size_t>(n));
@@ -53,6 +61,49 @@ std::vector<std::pair<Index, Index>> meshedEdges(
   return edges;
 }
 
+/// Facets that stand for curves of the source cap.
+struct CurveFacets
+{
+  double length = 0.0; ///< median over the edges beside points that turn by more than 10 degrees
+  double turn = 0.0;   ///< the greatest, radians
+};
+
+/// @param borders points where faces of the sides meet, which are corners of their own right.
+CurveFacets curveFacets(
+  const SolidSurface& solid, const SweepTopology& topology, std::vector<Index> borders)
+{
+  constexpr double LeastTurn = Pi / 18.0;
+  std::sort(borders.begin(), borders.end());
+  CurveFacets facets;
+  std::vector<double> lengths;
+  for (const SweepSide& side : topology.sides)
+  {
+    const std::size_t n = side.sourceLoop.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Index here = side.sourceLoop[i];
+      const Eigen::RowVector3d in =
+        solid.points.row(here) - solid.points.row(side.sourceLoop[(i + n - 1) % n]);
+      const Eigen::RowVector3d out =
+        solid.points.row(side.sourceLoop[(i + 1) % n]) - solid.points.row(here);
+      const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
+      if (turn > LeastTurn && !std::binary_search(borders.begin(), borders.end(), here))
+      {
+        facets.turn = std::max(facets.turn, turn);
+        lengths.push_back(in.norm());
+        lengths.push_back(out.norm());
+      }
+    }
+  }
+  if (!lengths.empty())
+  {
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    facets.length = *middle;
+  }
+  return facets;
+}
+
 SourceQuads newQuads(const SolidData& data, const SolidSurface& solid,
   const SweepTopology& topology, double size, const Progress& progress)
 {
@@ -69,7 +120,8 @@ SourceQuads newQuads(const SolidData& data, const SolidSurface& solid,
     faceIds.push_back(solid.faceIds[static_cast<std::size_t>(row)]);
   }
   CapQuadOptions options;
-  for (const Index point : edgeStarts(solid, topology))
+  const std::vector<Index> starts = edgeStarts(solid, topology);
+  for (const Index point : starts)
   {
     options.keep.push_back(part.idOf(point));
   }
@@ -79,9 +131,10 @@ SourceQuads newQuads(const SolidData& data, const SolidSurface& solid,
     options.keepEdges.emplace_back(part.idOf(from), part.idOf(to));
     keptLength += (solid.points.row(from) - solid.points.row(to)).norm();
   }
-  options.size = size > 0.0     ? size
-    : options.keepEdges.empty() ? defaultQuadSize(cap)
-                                : keptLength / static_cast<double>(options.keepEdges.size());
+  options.size = size > 0.0 ? size
+    : options.keepEdges.empty()
+    ? std::max(defaultQuadSize(cap), QuadsOnFacet * curveFacets(solid, topology, starts).length)
+    : keptLength / static_cast<double>(options.keepEdges.size());
   SourceQuads result;
   CapQuads made = meshCapWithQuads(cap, faceIds, options, progress);
   result.mesh = std::move(made.mesh);
@@ -153,6 +206,11 @@ SourceQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidDat
     return result;
   }
   return newQuads(data, solid, topology, size, progress);
+}
+
+double greatestFacetTurn(const SolidSurface& solid, const SweepTopology& topology)
+{
+  return curveFacets(solid, topology, edgeStarts(solid, topology)).turn * 180.0 / Pi;
 }
 
 std::vector<std::vector<QuadMesh>> sidePatches(

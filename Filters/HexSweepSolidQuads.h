@@ -41,6 +41,10 @@ std::vector<Index> edgeStarts(const SolidSurface& solid, const SweepTopology& to
 SourceQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidData& data,
   const SolidSurface& solid, const SweepTopology& topology, double size, const Progress& progress);
 
+/// Degrees: by how much the loops of the source cap turn at most, but for borders between faces;
+/// 0 where that is less than 10.
+double greatestFacetTurn(const SolidSurface& solid, const SweepTopology& topology);
+
 /// Faces of each side that are meshed with quads.
 std::vector<std::vector<QuadMesh>> sidePatches(
   const SolidData& data, const SolidSurface& solid, const SweepTopology& topology);

@@ -20,6 +20,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -234,6 +235,21 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   warnings.push_back(
     describeMismatch(cage.mismatch, "source cap of the solid", "boundary of the source quads"));
   warnings.insert(warnings.end(), hexes.warnings.begin(), hexes.warnings.end());
+  constexpr double CoarseTurn = 30.0;
+  const double facetTurn = greatestFacetTurn(solid, topology);
+  if (facetTurn > CoarseTurn && !hexes.warnings.empty())
+  {
+    warnings.push_back("the triangles of the solid turn by up to " +
+      describe(std::round(facetTurn)) +
+      " degrees from facet to facet round a curve of the source cap, which bends the quads on it. "
+      "Export the solid with finer triangles on its curves.");
+  }
+  if (this->TargetFaceIds.empty() && !hexes.warnings.empty())
+  {
+    warnings.push_back("no target face was named, and face " +
+      std::to_string(topology.targetFaceIds.front()) +
+      " was found to fit. If the sweep is not meant to end there, name its target.");
+  }
   for (const std::string& warning : warnings)
   {
     if (!warning.empty())

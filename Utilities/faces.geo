@@ -4,3 +4,5 @@ s() = Surface{:};
 For i In {0 : #s() - 1}
   Physical Surface(s(i)) = {s(i)};
 EndFor
+// At least 24 edges round a full circle: facets must not be coarser than the quads.
+Mesh.MeshSizeFromCurvature = 24;

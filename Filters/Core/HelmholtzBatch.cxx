@@ -93,8 +93,9 @@ public:
   /// @param allocated nodes that rows of the first `size` point to; vectors stay zero there.
   Iteration(const HelmholtzMesh& mesh, const PrismKernels& kernels,
     const HelmholtzProblems& problems, const Preconditioner& preconditioner, Index size,
-    Index allocated, Vectors& vectors)
+    Index allocated, Vectors& vectors, const std::function<void()>& check)
     : Problems(problems)
+    , Check(check)
     , Kernels(kernels)
     , Steps(kernels.iteration)
     , InDouble(mesh.system(size, problems.lambda.data()))
@@ -141,6 +142,7 @@ public:
     lastOver.fill(std::numeric_limits<double>::infinity());
     for (int round = 0; round < roundsAllowed; ++round)
     {
+      this->check();
       residual.resize(at(Size * BatchWidth));
       const auto loadEnd = std::copy(Problems.load.begin(), Problems.load.end(), residual.begin());
       std::fill(loadEnd, residual.end(), 0.0);
@@ -178,6 +180,14 @@ public:
   int iterations() const { return Iterations; }
 
 private:
+  void check() const
+  {
+    if (Check)
+    {
+      Check();
+    }
+  }
+
   /// Greatest residual of each lane, so that single precision neither under- nor overflows.
   Scalars scales(const std::vector<double>& residual) const
   {
@@ -278,6 +288,7 @@ private:
     {
       if (step > 0 && step % IterationsPerDecision == 0)
       {
+        this->check();
         this->giveUp(firstOver, step);
       }
       bool done = true;
@@ -311,6 +322,7 @@ private:
   }
 
   const HelmholtzProblems& Problems;
+  const std::function<void()>& Check;
   const PrismKernels& Kernels;
   const HelmholtzKernels& Steps;
   HelmholtzSystem<double> InDouble;
@@ -329,7 +341,8 @@ HelmholtzBatchSolver::HelmholtzBatchSolver(const HelmholtzMesh& mesh, const Pris
 {
 }
 
-const HelmholtzSolution& HelmholtzBatchSolver::solve(const HelmholtzProblems& problems)
+const HelmholtzSolution& HelmholtzBatchSolver::solve(
+  const HelmholtzProblems& problems, const std::function<void()>& check)
 {
   const std::size_t all = this->Mesh.levels.size() - 1;
   this->Solution.values.clear();
@@ -344,7 +357,7 @@ const HelmholtzSolution& HelmholtzBatchSolver::solve(const HelmholtzProblems& pr
     this->Solution.values.resize(at(allocated * BatchWidth), 0.0);
     const Lanes tried = this->Solution.isSolved;
     Iteration iteration(this->Mesh, this->Kernels, problems, Preconditioners[preconditioner], size,
-      allocated, this->Memory);
+      allocated, this->Memory, check);
     this->Solution.isSolved =
       iteration.refine(tried, isZero, this->Solution.values, this->Residual);
     this->Solution.iterations += iteration.iterations();

@@ -56,8 +56,10 @@ class HelmholtzBatchSolver
 public:
   HelmholtzBatchSolver(const HelmholtzMesh& mesh, const PrismKernels& kernels);
 
+  /// @param check called now and then, from this thread; may throw to give up.
   /// @return the solution, kept until the next call.
-  const HelmholtzSolution& solve(const HelmholtzProblems& problems);
+  const HelmholtzSolution& solve(
+    const HelmholtzProblems& problems, const std::function<void()>& check = {});
 
 private:
   struct Vectors

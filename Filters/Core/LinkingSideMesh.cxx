@@ -374,16 +374,19 @@ LinkingSideMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) c
 {
   const Index n = this->size();
   const Index layers = static_cast<Index>(fractions.size()) - 1;
-  if (this->Meshed.layers != 0 && this->Meshed.layers != layers)
+  if (this->Meshed.layers > 1 && this->Meshed.layers != layers)
   {
     throw InvalidInput("the part of a linking side that is meshed already has " +
       std::to_string(this->Meshed.layers) + " layers, and " + std::to_string(layers) +
       " are asked for. Set the number of layers to " + std::to_string(this->Meshed.layers) + ".");
   }
+  // Quads of one layer are how walls of an extrusion are given, rather than a mesh to keep.
+  const bool keepsPatches = this->Meshed.layers == layers;
   Eigen::MatrixXd u(n, layers + 1);
   for (Index j = 0; j < n; ++j)
   {
-    const std::vector<double> own = this->fractionsOf(static_cast<std::size_t>(j), fractions);
+    const std::vector<double> own =
+      keepsPatches ? this->fractionsOf(static_cast<std::size_t>(j), fractions) : fractions;
     for (Index k = 0; k <= layers; ++k)
     {
       u(j, k) = k == 0 ? 0.0
@@ -446,7 +449,7 @@ LinkingSideMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) c
       {
         node = this->Ring.row(j);
       }
-      else if (this->Meshed.columns[column].rows() > 0)
+      else if (keepsPatches && this->Meshed.columns[column].rows() > 0)
       {
         node = this->Meshed.columns[column].row(k);
       }

@@ -61,7 +61,8 @@ public:
    * Lays the rings.
    *
    * @param fractions of the columns' lengths, 0 ... 1, see layerFractions().
-   * @throw InvalidInput when parts that are meshed already have another number of layers.
+   * @throw InvalidInput when parts that are meshed already have another number of layers. Parts of
+   * one layer, as walls of an extrusion are given, then count as tessellation.
    */
   LinkingSideMesh mesh(const std::vector<double>& fractions) const;
 

@@ -255,9 +255,9 @@ LinkingSidesMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector
       result.refusedPatches.end(), side.refusedPatches().begin(), side.refusedPatches().end());
   }
   result.meanColumnLength = length / static_cast<double>(nodes);
-  const Index layers = !(request.size > 0.0) ? request.layers
-    : meshedLayers > 0                       ? meshedLayers
-                                             : layersOfSize(result.meanColumnLength, request.size);
+  const Index layers = request.size == 0.0 ? request.layers
+    : meshedLayers > 1                     ? meshedLayers
+                                           : layersOfSize(result.meanColumnLength, request.size);
   const std::vector<double> fractions = request.positions.empty()
     ? layerFractions(layers, request.growth, request.bothEnds)
     : layerFractions(request.positions);

@@ -14,7 +14,7 @@ namespace hexsweep
 struct LayerRequest
 {
   Index layers = 10;
-  double size = 0.0;             ///< wanted mean thickness; > 0: counts instead of `layers`
+  double size = 0.0;             ///< wanted mean thickness; not 0: counts instead of `layers`
   double growth = 1.0;           ///< see layerFractions()
   bool bothEnds = false;         ///< see layerFractions()
   std::vector<double> positions; ///< not empty: counts instead of all of these

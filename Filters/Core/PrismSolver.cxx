@@ -221,9 +221,19 @@ std::vector<Index> PrismSolver::solveBatches(const Sources& sources, const Prism
   const Index batches = (modes + LanesPerBatch - 1) / LanesPerBatch;
   std::vector<char> isSolved(at(batches * LanesPerBatch));
   IdleSolvers<HelmholtzBatchSolver> solvers({ this->Mesh, kernels });
+  // Progress is reported by the calling thread only.
+  const auto check = [&](Index batch) -> std::function<void()> {
+    if (parallelFor)
+    {
+      return {};
+    }
+    return [&progress, batch, batches] {
+      reportProgress(progress, static_cast<double>(batch) / static_cast<double>(batches));
+    };
+  };
   forStoppablePieces(parallelFor, progress, batches, 1, [&](Index batch, Index) {
     auto solver = solvers.take();
-    const HelmholtzSolution& solution = solver->solve(this->problems(batch, sources));
+    const HelmholtzSolution& solution = solver->solve(this->problems(batch, sources), check(batch));
     this->storeModes(batch, solution, values);
     std::copy(
       solution.isSolved.begin(), solution.isSolved.end(), isSolved.begin() + batch * LanesPerBatch);

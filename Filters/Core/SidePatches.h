@@ -33,8 +33,9 @@ struct MeshedColumns
  * @param targetLoop m x 3, a closed polygon.
  * @param matchTolerance relative to the shorter ring edge at a node, and to the last edge of a
  *        column.
- * A patch that has no edge on the ring, does not reach the target loop, is not structured or has
- * quads left over is refused.
+ * A patch of one layer counts as tessellation: it is how walls of an extrusion are given. A patch
+ * that has no edge on the ring, does not reach the target loop, is not structured or has quads left
+ * over is refused.
  *
  * @throw InvalidInput when patches have different numbers of layers.
  */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SweepProjection.h"
 
+#include "AffineMap.h"
 #include "Errors.h"
 #include "LinkingRings.h"
 #include "LoopGeometry.h"
@@ -169,9 +170,43 @@ void checkSameBoundary(const CapDisk& source, const CapDisk& target)
   }
 }
 
+/**
+ * Whether the target is an affine image of the source, up to a small part of an edge, and so near
+ * that what its nodes drift sideways would tilt the columns of hexahedra.
+ *
+ * @param outer the outer loop of the quads.
+ */
+bool isThinAffineSweep(
+  const SweepProjectionInput& input, const Boundary& boundary, const Loop& outer)
+{
+  constexpr double AffineSlack = 0.1; // of an edge
+  constexpr double ThinSweep = 5.0;   // edges
+  const Index n = static_cast<Index>(boundary.nodes.size());
+  Points from(n, 3);
+  Points to(n, 3);
+  Points outerTo(static_cast<Index>(outer.size()), 3);
+  std::vector<Index> rowOf(static_cast<std::size_t>(input.source.points.rows()), -1);
+  for (Index i = 0; i < n; ++i)
+  {
+    const FixedNode& node = boundary.nodes[static_cast<std::size_t>(i)];
+    from.row(i) = input.source.points.row(node.point);
+    to.row(i) = node.position;
+    rowOf[static_cast<std::size_t>(node.point)] = i;
+  }
+  for (std::size_t j = 0; j < outer.size(); ++j)
+  {
+    outerTo.row(static_cast<Index>(j)) = to.row(rowOf[static_cast<std::size_t>(outer[j])]);
+  }
+  const AffineMap map =
+    fitAffineMap(from, to, areaVector(loopPoints(input.source.points, outer)), areaVector(outerTo));
+  const double residual = (map.apply(from) - to).rowwise().norm().maxCoeff();
+  const double edge = closedLength(outerTo) / static_cast<double>(outer.size());
+  return residual < AffineSlack * edge && (to - from).rowwise().norm().mean() < ThinSweep * edge;
+}
+
 /// Untangles and polishes as asked, and judges the result.
 void improve(SweepProjection& result, const SweepProjectionInput& input, const Boundary& boundary,
-  const TriangleMesh& target, const Progress& progress)
+  const Loop& outer, const TriangleMesh& target, const Progress& progress)
 {
   const SurfaceProjection surface(target);
   // Points that no quad uses are nobody's to move; they count as fixed.
@@ -195,6 +230,20 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   if (!input.ensureValid && !input.improveQuality)
   {
     return;
+  }
+  if (input.improveQuality && input.method == ProjectionMethod::Harmonic && input.linking &&
+    isThinAffineSweep(input, boundary, outer))
+  {
+    Points harmonic = std::move(result.quads.points);
+    result.quads.points =
+      projectAffinely(input.source.points, usedPoints(input.source), boundary.nodes, outer, target)
+        .points;
+    judge();
+    if (result.quality.inverted == 0)
+    {
+      return;
+    }
+    result.quads.points = std::move(harmonic);
   }
   const CapCorners corners(
     input.source.quads, fixed, target, boundary.columns, result.quads.points);
@@ -347,8 +396,8 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
       *result.target, progressPart(progress, 0.6, 0.7));
   }
   // The triangulation of the map, also where it was made here: given maps must give the same bits.
-  improve(result, input, boundary, result.target ? result.target->mesh : target,
-    progressPart(progress, 0.7, 1.0));
+  improve(result, input, boundary, topology.loops[longestLoop(input.source.points, topology.loops)],
+    result.target ? result.target->mesh : target, progressPart(progress, 0.7, 1.0));
   reportProgress(progress, 1.0);
   return result;
 }

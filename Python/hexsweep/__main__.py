@@ -51,7 +51,8 @@ def main(arguments=None):
     hexes = sweep.GetOutputDataObject(0)
     if hexes.GetNumberOfCells() == 0:
         return 1
-    _write(sweep, options.output)
+    if not _write(sweep, options.output):
+        return 1
     print(
         f"{options.output}: {hexes.GetNumberOfCells()} hexahedra, "
         f"{_reported(hexes, 'Inverted')} inverted, {_reported(hexes, 'NotCertified')} not certified, "
@@ -93,7 +94,10 @@ def _read(file_name):
     reader = getattr(importlib.import_module("vtkmodules." + module), name)()
     reader.SetFileName(file_name)
     reader.Update()
-    return reader.GetOutputDataObject(0)
+    data = reader.GetOutputDataObject(0)
+    if not data or data.GetNumberOfCells() == 0:
+        sys.exit(f"{file_name}: no cells in it")
+    return data
 
 
 def _write(sweep, file_name):
@@ -114,8 +118,11 @@ def _write(sweep, file_name):
         writer = vtkXMLUnstructuredGridWriter()
         writer.SetInputConnection(sweep.GetOutputPort(0))
         writer.SetDataModeToBinary()
+    if os.path.exists(file_name):
+        os.remove(file_name)
     writer.SetFileName(file_name)
     writer.Write()
+    return os.path.exists(file_name)
 
 
 def _list_faces(solid, array_name):
@@ -123,7 +130,10 @@ def _list_faces(solid, array_name):
     names = [array_name] if array_name else ["FaceId", "CellEntityIds"]
     ids = next((a for a in map(solid.GetCellData().GetArray, names) if a), None)
     if not ids:
-        sys.exit(f"the solid has no cell array named {' or '.join(names)}; name one with --faces")
+        sys.exit(
+            f"the solid has no cell array named {' or '.join(names)}. Name one with --faces; without "
+            "any, faces are told apart by the angle between triangles and numbered from 0."
+        )
     sums = {}
     for cell in range(solid.GetNumberOfCells()):
         points = solid.GetCell(cell).GetPoints()

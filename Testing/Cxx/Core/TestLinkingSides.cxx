@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 
 namespace
@@ -518,6 +519,30 @@ TEST(LinkingSides, MeshedPartsKeepTheirNodes)
   const LinkingSidesMesh torn = mesh(side, ring, layers(8));
   ASSERT_EQ(torn.refusedPatches.size(), 1u);
   EXPECT_NE(torn.refusedPatches[0].find("not structured"), std::string::npos);
+}
+
+TEST(LinkingSides, WallsOfOneQuadAreNoMesh)
+{
+  const auto faceOf = [](double v, double) { return static_cast<Index>(4.0 * v); };
+  LinkingSide side = tube(40, 30, TwistedBox, faceOf, 0.0);
+  const Points ring = ringOf(20, TwistedBox);
+  const LinkingSidesMesh plain = mesh(side, ring, layers(8));
+  LayerRequest one = layers(1);
+  const LinkingSidesMesh walls = mesh(side, ring, one);
+  side.patches = { partOf(walls, 20, 0, 20) };
+  EXPECT_EQ(mesh(side, ring, layers(8)).mesh.points, plain.mesh.points);
+  EXPECT_EQ(mesh(side, ring, one).mesh.points, walls.mesh.points);
+}
+
+TEST(LinkingSides, AThicknessThatIsNoneIsRefused)
+{
+  const LinkingSide side = tube(24, 6, Cylinder, {}, 0.2);
+  LayerRequest request;
+  for (const double size : { -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    request.size = size;
+    EXPECT_THROW(mesh(side, ringOf(24, Cylinder), request), InvalidInput) << size;
+  }
 }
 
 TEST(LinkingSides, SplitsASurfaceAndFindsTheSource)

@@ -2,6 +2,7 @@
 // From CAD solids to certified hexahedra in one filter.
 #include "SolidGrids.h"
 
+#include <vtkIntArray.h>
 #include <vtkMeshQuality.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -244,6 +245,96 @@ TEST(OneToOneSweep, DataAreCarried)
       EXPECT_EQ(to->GetTuple1(i), from->GetTuple1(i % n));
     }
   }
+}
+
+/// A right prism on a regular polygon that stands for a circle: one face round it, caps as fans.
+test::Grid facettedCylinder(int sides, double radius, double height, int rows)
+{
+  vtkNew<vtkPoints> points;
+  auto grid = test::Grid::New();
+  vtkNew<vtkIntArray> faces;
+  faces->SetName("FaceId");
+  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c, int face) {
+    const vtkIdType ids[3] = { a, b, c };
+    grid->InsertNextCell(VTK_TRIANGLE, 3, ids);
+    faces->InsertNextValue(face);
+  };
+  grid->SetPoints(points);
+  for (int k = 0; k <= rows; ++k)
+  {
+    for (int j = 0; j < sides; ++j)
+    {
+      // Rows in between are turned by half a facet, as meshers do it.
+      const double turn = k > 0 && k < rows && k % 2 == 1 ? 0.5 : 0.0;
+      const double angle = 6.283185307179586 * (j + turn) / sides;
+      points->InsertNextPoint(
+        radius * std::cos(angle), radius * std::sin(angle), height * k / rows);
+    }
+  }
+  const vtkIdType bottom = points->InsertNextPoint(0.0, 0.0, 0.0);
+  const vtkIdType top = points->InsertNextPoint(0.0, 0.0, height);
+  for (int j = 0; j < sides; ++j)
+  {
+    const int next = (j + 1) % sides;
+    add(bottom, next, j, 1);
+    add(top, rows * sides + j, rows * sides + next, 2);
+    for (int k = 0; k < rows; ++k)
+    {
+      const vtkIdType a = k * sides + j;
+      const vtkIdType b = k * sides + next;
+      if (k % 2 == 0)
+      {
+        add(a, b, a + sides, 3);
+        add(b, b + sides, a + sides, 3);
+      }
+      else
+      {
+        add(a, b, b + sides, 3);
+        add(a, b + sides, a + sides, 3);
+      }
+    }
+  }
+  grid->GetCellData()->AddArray(faces);
+  return grid;
+}
+
+TEST(OneToOneSweep, QuadsOnCoarseCurvesAreNotFinerThanTheirFacets)
+{
+  test::SolidSweep sweep(facettedCylinder(8, 2.0, 20.0, 7));
+  sweep.name({ 1 }, {});
+  sweep.filter->SetNumberOfLayers(6);
+  sweep.filter->Update();
+  EXPECT_EQ(sweep.messages(), "");
+  expectCertified(sweep.hexes());
+  // Edges of half a facet, 0.77, put some 21 quads on the cap of area 12.6.
+  EXPECT_LT(sweep.hexes()->GetNumberOfCells(), 6 * 42);
+  // Fine facets leave the size alone.
+  test::SolidSweep fine(facettedCylinder(60, 2.0, 20.0, 40));
+  fine.name({ 1 }, {});
+  fine.filter->SetNumberOfLayers(2);
+  fine.filter->Update();
+  EXPECT_GT(fine.hexes()->GetNumberOfCells(), 2 * 500);
+}
+
+TEST(OneToOneSweep, ColumnsOfAThinPlateStandUpright)
+{
+  // The caps are triangulated differently: the target is made from other points.
+  test::Grid plate = facettedCylinder(40, 10.0, 0.05, 1);
+  test::SolidSweep sweep(plate);
+  sweep.name({ 1 }, { 2 });
+  sweep.filter->SetQuadSize(1.0);
+  sweep.filter->SetNumberOfLayers(2);
+  sweep.filter->Update();
+  vtkUnstructuredGrid* hexes = sweep.hexes();
+  ASSERT_GT(hexes->GetNumberOfCells(), 0);
+  const vtkIdType n = hexes->GetNumberOfPoints() / 3;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const auto low = test::pointOf(hexes, i);
+    const auto high = test::pointOf(hexes, i + 2 * n);
+    EXPECT_LT(std::hypot(high[0] - low[0], high[1] - low[1]), 0.005) << i;
+  }
+  EXPECT_GT(report(hexes, "SweepReportMinScaledJacobian"), 0.3);
 }
 
 TEST(OneToOneSweep, AbortsWithEmptyOutputs)

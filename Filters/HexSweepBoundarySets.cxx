@@ -18,6 +18,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -75,6 +76,40 @@ void checkCells(vtkUnstructuredGrid* grid, const std::string& what, int type, co
   }
 }
 
+/// Every quad must be the side that it names, or sets of another mesh would be written.
+void checkSides(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
+{
+  // Nodes of sides 1 to 6, from the manual of Exodus II.
+  constexpr int sides[6][4] = { { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 0, 4, 7, 3 },
+    { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+  vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
+  vtkDataArray* hexSides = boundary->GetCellData()->GetArray("HexSide");
+  vtkDataArray* pointIds = boundary->GetPointData()->GetArray("HexPointIds");
+  vtkNew<vtkIdList> corners;
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
+  {
+    boundary->GetCellPoints(q, corners);
+    hexes->GetCellPoints(idAt(hexIds, q), nodes);
+    std::array<vtkIdType, 4> found;
+    std::array<vtkIdType, 4> expected;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      found[i] = idAt(pointIds, corners->GetId(static_cast<vtkIdType>(i)));
+      expected[i] = nodes->GetId(sides[idAt(hexSides, q) - 1][i]);
+    }
+    std::sort(found.begin(), found.end());
+    std::sort(expected.begin(), expected.end());
+    if (found != expected)
+    {
+      throw InvalidInput("the boundary is not that of these hexahedra: its quad " +
+        std::to_string(q) + " is not side " + std::to_string(idAt(hexSides, q)) +
+        " of hexahedron " + std::to_string(idAt(hexIds, q)) +
+        ". Connect both outputs of the same OneToOneSweep, unchanged.");
+    }
+  }
+}
+
 void checkBoundary(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
   checkCells(hexes, "mesh of hexahedra", VTK_HEXAHEDRON, "hexahedron");
@@ -85,6 +120,7 @@ void checkBoundary(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
   checkedIds(boundary->GetCellData(), "HexId", 0, hexes->GetNumberOfCells() - 1);
   checkedIds(boundary->GetCellData(), "HexSide", 1, 6);
   checkedIds(boundary->GetPointData(), "HexPointIds", 0, hexes->GetNumberOfPoints() - 1);
+  checkSides(hexes, boundary);
 }
 
 bool isTextOrReport(vtkAbstractArray* array)

@@ -164,8 +164,8 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   {
     if (vtkCompositeDataSet::GetData(inputs[port], 0))
     {
-      throw InvalidInput(std::string("the ") + (port == 0 ? "solid" : "source quads") +
-        " come as a composite data set. Sweep one volume at a time: extract its block (in "
+      throw InvalidInput(std::string("the ") + (port == 0 ? "solid comes" : "source quads come") +
+        " as a composite data set. Sweep one volume at a time: extract its block (in "
         "ParaView: Extract Block, then Merge Blocks).");
     }
   }

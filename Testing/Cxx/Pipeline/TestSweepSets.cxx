@@ -161,6 +161,13 @@ TEST(SweepSets, WrongInputsAreNamed)
     Sets sets(fewer, wing.boundary);
     expectOneError(sets.filter, "not that of these hexahedra");
   }
+  {
+    // Of the same solid, but with the caps exchanged: all numbers are in range.
+    SweptWing other(true);
+    const bool isSmaller = other.hexes->GetNumberOfCells() < wing.hexes->GetNumberOfCells();
+    Sets sets(isSmaller ? wing.hexes : other.hexes, isSmaller ? other.boundary : wing.boundary);
+    expectOneError(sets.filter, "is not side");
+  }
   wing.boundary->GetCellData()->RemoveArray("HexSide");
   Sets sets(wing.hexes, wing.boundary);
   expectOneError(sets.filter, "no array \"HexSide\"");

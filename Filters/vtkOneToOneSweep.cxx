@@ -3,6 +3,7 @@
 
 #include "Core/Constants.h"
 #include "Core/Describe.h"
+#include "Core/RingAdvance.h"
 #include "Core/SolidCage.h"
 #include "HexSweepBoundaryGrid.h"
 #include "HexSweepBridge.h"
@@ -29,6 +30,9 @@ vtkStandardNewMacro(vtkOneToOneSweep);
 namespace
 {
 using namespace hexsweep;
+
+/// Share of its way that a sweep to a target that nobody named may go back.
+constexpr double MostBackward = 0.25;
 
 void addIds(vtkFieldData* fieldData, const char* name, const std::vector<Index>& ids)
 {
@@ -202,6 +206,14 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   cageInput.layers.positions = this->LayerPositions;
   const SolidCage cage = makeSolidCage(cageInput, pipelineProgress(this, 0.15, 0.5));
   clock.finish(stagesOf(cage));
+  if (this->TargetFaceIds.empty() && backwardShare(cage.boundary) > MostBackward)
+  {
+    throw InvalidInput("no target face is named, and only face " +
+      std::to_string(topology.targetFaceIds.front()) +
+      " fits the source cap, but the sides turn back on their way to it, as into a blind hole. "
+      "Name "
+      "the target faces, or cut the solid where it turns back.");
+  }
 
   HexOutputSettings settings;
   settings.method = this->Method;

@@ -19,15 +19,15 @@ job_count() {
   echo "$jobs"
 }
 
-# configure_and_build TARGET: from the release preset, into $build_dir.
+# configure_and_build TARGET...: from the release preset, into $build_dir.
 configure_and_build() {
   local jobs
   jobs=$(job_count)
   say "configure: $build_dir"
   # ParaView's Python modules belong to the system's interpreter, whatever else is on PATH.
   (cd "$source_dir" && cmake --preset release -B "$build_dir" -DPython3_EXECUTABLE=/usr/bin/python3)
-  say "build: target $1 with $jobs job(s)"
-  cmake --build "$build_dir" --target "$1" -j "$jobs"
+  say "build: $* with $jobs job(s)"
+  cmake --build "$build_dir" --target "$@" -j "$jobs"
 }
 
 # One X server without a screen for the whole run, drawing in software; gone when the script ends.

@@ -8,6 +8,7 @@
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkHexahedron.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
@@ -29,6 +30,8 @@ namespace
 {
 /// vtkExodusIIWriter makes a table of names as long as twice the greatest id.
 constexpr vtkIdType GreatestSetId = 1000000;
+/// Sides of a hexahedron in the order of Exodus II, from 1 on, in that of vtkHexahedron's faces.
+constexpr int VtkFaces[7] = { -1, 2, 1, 3, 0, 4, 5 };
 
 vtkIdType idAt(vtkDataArray* ids, vtkIdType i)
 {
@@ -79,9 +82,6 @@ void checkCells(vtkUnstructuredGrid* grid, const std::string& what, int type, co
 /// Every quad must be the side that it names, or sets of another mesh would be written.
 void checkSides(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
-  // Nodes of sides 1 to 6, from the manual of Exodus II.
-  constexpr int sides[6][4] = { { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 0, 4, 7, 3 },
-    { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
   vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
   vtkDataArray* hexSides = boundary->GetCellData()->GetArray("HexSide");
   vtkDataArray* pointIds = boundary->GetPointData()->GetArray("HexPointIds");
@@ -91,12 +91,13 @@ void checkSides(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
   {
     boundary->GetCellPoints(q, corners);
     hexes->GetCellPoints(idAt(hexIds, q), nodes);
+    const vtkIdType* side = vtkHexahedron::GetFaceArray(VtkFaces[idAt(hexSides, q)]);
     std::array<vtkIdType, 4> found;
     std::array<vtkIdType, 4> expected;
     for (std::size_t i = 0; i < 4; ++i)
     {
       found[i] = idAt(pointIds, corners->GetId(static_cast<vtkIdType>(i)));
-      expected[i] = nodes->GetId(sides[idAt(hexSides, q) - 1][i]);
+      expected[i] = nodes->GetId(side[i]);
     }
     std::sort(found.begin(), found.end());
     std::sort(expected.begin(), expected.end());
@@ -286,8 +287,6 @@ vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(
 vtkSmartPointer<vtkUnstructuredGrid> newSideSet(
   vtkUnstructuredGrid* boundary, const BoundarySet& set)
 {
-  // Sides of a hexahedron in the order of Exodus II, from 1 on, in that of vtkHexahedron's faces.
-  constexpr int VtkFaces[7] = { -1, 2, 1, 3, 0, 4, 5 };
   const UsedPoints used(boundary, set);
   vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
   vtkDataArray* hexSides = boundary->GetCellData()->GetArray("HexSide");

@@ -381,9 +381,14 @@ void addReport(vtkFieldData* fieldData, const char* name, double value)
   addReport(fieldData, name, std::vector<double>{ value });
 }
 
+void addIds(vtkFieldData* data, const char* name, const std::vector<Index>& ids)
+{
+  addValues<vtkIdTypeArray>(data, name, ids);
+}
+
 void addReport(vtkFieldData* fieldData, const char* name, Index value)
 {
-  addValues<vtkIdTypeArray>(fieldData, name, std::vector<Index>{ value });
+  addIds(fieldData, name, { value });
 }
 
 void addReport(vtkFieldData* fieldData, const char* name, const std::string& value)

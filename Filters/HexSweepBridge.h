@@ -89,6 +89,9 @@ vtkPoints* newPoints(const PointsRef& points, int precision);
 /// Fills the grid with one kind of cell (VTK_TRIANGLE, VTK_QUAD or VTK_HEXAHEDRON).
 void setCells(vtkUnstructuredGrid* grid, const FacesRef& cells, int cellType);
 
+/// An array of ids, one a tuple; to field data, point data or cell data.
+void addIds(vtkFieldData* data, const char* name, const std::vector<Index>& ids);
+
 /// Field-data entries of the report (SweepReport*).
 void addReport(vtkFieldData* fieldData, const char* name, double value);
 void addReport(vtkFieldData* fieldData, const char* name, Index value);

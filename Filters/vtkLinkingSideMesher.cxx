@@ -15,10 +15,8 @@
 #include <vtkCellType.h>
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -56,18 +54,6 @@ LinkingSurface linkingSurface(SolidData data, double matchTolerance, double feat
     ? facesByFeatureAngle(surface.mesh.points, surface.mesh.triangles, featureAngle).faceOfTriangle
     : std::move(data.faceIds);
   return surface;
-}
-
-void addIds(vtkDataSetAttributes* attributes, const char* name, const std::vector<Index>& ids)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), ids[i]);
-  }
-  attributes->AddArray(array);
 }
 
 /// Number of the loop that each quad's side begins at.

@@ -14,10 +14,8 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -33,17 +31,6 @@ using namespace hexsweep;
 
 /// Share of its way that a sweep to a target that nobody named may go back.
 constexpr double MostBackward = 0.25;
-
-void addIds(vtkFieldData* fieldData, const char* name, const std::vector<Index>& ids)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  for (const Index id : ids)
-  {
-    array->InsertNextValue(id);
-  }
-  fieldData->AddArray(array);
-}
 
 std::vector<InteriorStep> stagesOf(const SolidCage& cage)
 {
@@ -244,8 +231,8 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
       " are too long for its holes or walls. Set QuadSize to a smaller length, or give quads of "
       "the source cap.");
   }
-  warnings.push_back(
-    describeMismatch(cage.mismatch, "source cap of the solid", "boundary of the source quads"));
+  warnings.push_back(describeMismatch(
+    cage.projection.sourceMismatch, "source cap of the solid", "boundary of the source quads"));
   warnings.insert(warnings.end(), hexes.warnings.begin(), hexes.warnings.end());
   constexpr double CoarseTurn = 30.0;
   const double facetTurn = greatestFacetTurn(solid, topology);

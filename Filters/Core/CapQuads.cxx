@@ -9,6 +9,7 @@
 #include "MidpointSubdivision.h"
 #include "QuadPolishing.h"
 #include "QuadQuality.h"
+#include "SurfaceArea.h"
 #include "SurfaceRemeshing.h"
 #include "SurfaceTopology.h"
 #include "TrianglePairing.h"
@@ -33,19 +34,6 @@ constexpr double DefaultQuads = 1000.0;
 constexpr double MostDefaultQuads = 16000.0;
 constexpr double DefaultLoopEdges = 12.0;
 
-double areaOf(const TriangleMesh& cap)
-{
-  double area = 0.0;
-  for (Index t = 0; t < cap.triangles.rows(); ++t)
-  {
-    const Eigen::RowVector3d a = cap.points.row(cap.triangles(t, 0));
-    const Eigen::RowVector3d b = cap.points.row(cap.triangles(t, 1));
-    const Eigen::RowVector3d c = cap.points.row(cap.triangles(t, 2));
-    area += 0.5 * (b - a).cross(c - a).norm();
-  }
-  return area;
-}
-
 void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
   const std::vector<Index>& faceIds, const CapQuadOptions& options)
 {
@@ -64,7 +52,7 @@ void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
   {
     perimeter += closedLength(loopPoints(cap.points, loop));
   }
-  const double area = areaOf(cap);
+  const double area = surfaceArea(cap);
   const double quads = std::max(area / options.size, perimeter) / options.size;
   if (!(quads <= MaximumQuads))
   {
@@ -276,7 +264,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
 
 double defaultQuadSize(const TriangleMesh& cap)
 {
-  const double area = areaOf(cap);
+  const double area = surfaceArea(cap);
   if (!(area > 0.0) || !std::isfinite(area))
   {
     throw InvalidInput(

@@ -7,6 +7,7 @@
 #include "LoopGeometry.h"
 #include "Predicates.h"
 #include "RingParameter.h"
+#include "SurfaceArea.h"
 
 #include <Eigen/Geometry>
 
@@ -22,23 +23,11 @@ constexpr Index Samples = 64;            // of a column's length
 constexpr double TrianglesOfRing = 32.0; // a side of n columns is cut as finely as n n / this...
 constexpr double LeastTriangles = 500.0; // ... triangles would be, but not coarser than this
 
-double areaOf(const TriangleMesh& mesh)
-{
-  double area = 0.0;
-  for (Index t = 0; t < mesh.triangles.rows(); ++t)
-  {
-    const Eigen::RowVector3d a = mesh.points.row(mesh.triangles(t, 0));
-    const Eigen::RowVector3d b = mesh.points.row(mesh.triangles(t, 1));
-    const Eigen::RowVector3d c = mesh.points.row(mesh.triangles(t, 2));
-    area += 0.5 * (b - a).cross(c - a).norm();
-  }
-  return area;
-}
-
 double longestEdge(const LinkingSide& side, Index columns)
 {
   const double n = static_cast<double>(columns);
-  return std::sqrt(2.0 * areaOf(side.surface) / std::max(LeastTriangles, n * n / TrianglesOfRing));
+  return std::sqrt(
+    2.0 * surfaceArea(side.surface) / std::max(LeastTriangles, n * n / TrianglesOfRing));
 }
 
 /// Whether the ring runs the way the loop does.

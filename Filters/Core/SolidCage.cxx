@@ -186,7 +186,6 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   projection.ensureValid = input.ensureValid;
   projection.improveQuality = input.improveQuality;
   cage.projection = projectSweep(projection, progressPart(progress, 0.4, 1.0));
-  cage.mismatch = cage.projection.sourceMismatch;
   stages.finish("Target quads");
 
   const LinkingRings rings = ringsOf(cage.linking, cage.loops);

@@ -45,11 +45,10 @@ struct BoundaryQuad
 
 struct SolidCage : SweepCage
 {
-  std::vector<Loop> loops;       ///< of the quads
-  LinkingSidesMesh linking;      ///< see meshLinkingSides()
-  SweepProjection projection;    ///< see projectSweep()
-  BoundaryMismatch mismatch;     ///< of the quads' boundary and the source cap
-  double greatestDistance = 0.0; ///< of a source point from the source cap
+  std::vector<Loop> loops;                             ///< of the quads
+  LinkingSidesMesh linking;                            ///< see meshLinkingSides()
+  SweepProjection projection;                          ///< see projectSweep()
+  double greatestDistance = 0.0;                       ///< of a source point from the source cap
   std::vector<std::pair<std::string, double>> seconds; ///< of each stage
 };
 

@@ -6,7 +6,7 @@
 #ifndef HexSweepBoundaryGrid_h
 #define HexSweepBoundaryGrid_h
 
-#include "Core/SolidCage.h"
+#include "Core/Solids/SolidCage.h"
 
 class vtkUnstructuredGrid;
 

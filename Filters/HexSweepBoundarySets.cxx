@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepBoundarySets.h"
 
-#include "Core/Errors.h"
+#include "Core/Common/Errors.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

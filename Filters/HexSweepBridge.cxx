@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepBridge.h"
 
-#include "Core/Describe.h"
-#include "Core/SurfaceLaplacian.h"
+#include "Core/Common/Describe.h"
+#include "Core/Surfaces/TriangleAngles.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>

@@ -6,9 +6,9 @@
 #ifndef HexSweepBridge_h
 #define HexSweepBridge_h
 
-#include "Core/Errors.h"
-#include "Core/Mesh.h"
-#include "Core/ParallelFor.h"
+#include "Core/Common/Errors.h"
+#include "Core/Common/Mesh.h"
+#include "Core/Common/ParallelFor.h"
 
 #include <functional>
 #include <optional>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepCage.h"
 
-#include "Core/Errors.h"
-#include "Core/LinkingRings.h"
-#include "Core/RingCollapse.h"
-#include "Core/SurfaceTopology.h"
-#include "Core/SweptHexes.h"
+#include "Core/Common/Errors.h"
+#include "Core/Interior/RingCollapse.h"
+#include "Core/Interior/SweptHexes.h"
+#include "Core/Linking/LinkingRings.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepBridge.h"
 
 #include <string>

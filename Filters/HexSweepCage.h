@@ -7,7 +7,7 @@
 #ifndef HexSweepCage_h
 #define HexSweepCage_h
 
-#include "Core/SweepInterior.h"
+#include "Core/Interior/SweepInterior.h"
 
 #include <vector>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepCapDiskGrid.h"
 
-#include "Core/Describe.h"
-#include "Core/MapDistortion.h"
-#include "Core/SurfaceTopology.h"
+#include "Core/Common/Describe.h"
+#include "Core/DiskMaps/MapDistortion.h"
+#include "Core/Solvers/SurfaceLaplacian.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>

@@ -7,7 +7,7 @@
 #ifndef HexSweepCapDiskGrid_h
 #define HexSweepCapDiskGrid_h
 
-#include "Core/CapDisk.h"
+#include "Core/DiskMaps/CapDisk.h"
 #include "HexSweepBridge.h"
 
 namespace hexsweep

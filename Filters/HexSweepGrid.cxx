@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepGrid.h"
 
-#include "Core/StoppablePieces.h"
+#include "Core/Common/StoppablePieces.h"
 #include "HexSweepBridge.h"
 
 #include <vtkAlgorithm.h>

@@ -10,7 +10,7 @@
 #ifndef HexSweepGrid_h
 #define HexSweepGrid_h
 
-#include "Core/Mesh.h"
+#include "Core/Common/Mesh.h"
 
 #include <vtkSmartPointer.h>
 

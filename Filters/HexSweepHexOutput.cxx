@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepHexOutput.h"
 
-#include "Core/Errors.h"
-#include "Core/StoppablePieces.h"
-#include "Core/SweptHexes.h"
+#include "Core/Common/Errors.h"
+#include "Core/Common/StoppablePieces.h"
+#include "Core/Interior/SweptHexes.h"
 #include "HexSweepBridge.h"
 #include "HexSweepGrid.h"
 #include "HexSweepHexText.h"

@@ -6,8 +6,8 @@
 #ifndef HexSweepHexOutput_h
 #define HexSweepHexOutput_h
 
-#include "Core/HexQuality.h"
-#include "Core/SweepInterior.h"
+#include "Core/Hexahedra/HexQuality.h"
+#include "Core/Interior/SweepInterior.h"
 #include "HexSweepInteriorReport.h"
 
 #include <string>

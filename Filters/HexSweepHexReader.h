@@ -6,7 +6,7 @@
 #ifndef HexSweepHexReader_h
 #define HexSweepHexReader_h
 
-#include "Core/HexCertificate.h"
+#include "Core/Hexahedra/HexCertificate.h"
 
 #include <vtkSMPThreadLocalObject.h>
 #include <vtkType.h>

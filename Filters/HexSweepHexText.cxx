@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepHexText.h"
 
-#include "Core/Describe.h"
+#include "Core/Common/Describe.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -6,7 +6,7 @@
 #ifndef HexSweepHexText_h
 #define HexSweepHexText_h
 
-#include "Core/HexQuality.h"
+#include "Core/Hexahedra/HexQuality.h"
 
 #include <functional>
 #include <string>

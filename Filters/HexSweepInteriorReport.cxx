@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepInteriorReport.h"
 
-#include "Core/Describe.h"
+#include "Core/Common/Describe.h"
 #include "HexSweepBridge.h"
 
 namespace hexsweep

@@ -6,7 +6,7 @@
 #ifndef HexSweepInteriorReport_h
 #define HexSweepInteriorReport_h
 
-#include "Core/SweepInterior.h"
+#include "Core/Interior/SweepInterior.h"
 
 #include <chrono>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepLinkingReport.h"
 
-#include "Core/Describe.h"
+#include "Core/Common/Describe.h"
 #include "HexSweepBridge.h"
 
 namespace hexsweep
@@ -23,7 +23,7 @@ std::string listPlaces(const std::vector<Eigen::RowVector3d>& places)
 
 }
 
-std::vector<std::string> linkingWarnings(const LinkingSidesMesh& linking)
+std::vector<std::string> linkingWarnings(const LinkingMesh& linking)
 {
   std::vector<std::string> warnings = linking.refusedPatches;
   if (!linking.lostEdges.empty())
@@ -48,7 +48,7 @@ std::vector<std::string> linkingWarnings(const LinkingSidesMesh& linking)
   return warnings;
 }
 
-void addLinkingReport(vtkFieldData* fieldData, const LinkingSidesMesh& linking)
+void addLinkingReport(vtkFieldData* fieldData, const LinkingMesh& linking)
 {
   addReport(fieldData, "SweepReportLayers", linking.layers);
   addReport(fieldData, "SweepReportKeptEdges", linking.keptEdges);

@@ -6,7 +6,7 @@
 #ifndef HexSweepLinkingReport_h
 #define HexSweepLinkingReport_h
 
-#include "Core/LinkingSides.h"
+#include "Core/Linking/LinkingSides.h"
 
 #include <string>
 #include <vector>
@@ -16,10 +16,10 @@ class vtkFieldData;
 namespace hexsweep
 {
 /// What the user should know: edges and corners without nodes, meshed parts that were not kept.
-std::vector<std::string> linkingWarnings(const LinkingSidesMesh& linking);
+std::vector<std::string> linkingWarnings(const LinkingMesh& linking);
 
 /// `SweepReportLayers`, `...KeptEdges`, `...LostEdges` and `...MeanColumnLength`.
-void addLinkingReport(vtkFieldData* fieldData, const LinkingSidesMesh& linking);
+void addLinkingReport(vtkFieldData* fieldData, const LinkingMesh& linking);
 }
 
 #endif

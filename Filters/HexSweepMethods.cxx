@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepMethods.h"
 
-#include "Core/BlendInterior.h"
-#include "Core/BoundaryErrorInterior.h"
-#include "Core/Errors.h"
-#include "Core/GreenCoordinates.h"
-#include "Core/HarmonicCoordinates.h"
-#include "Core/LayerMarch.h"
-#include "Core/MeanValueCoordinates.h"
+#include "Core/Common/Errors.h"
+#include "Core/Interior/BlendInterior.h"
+#include "Core/Interior/BoundaryErrorInterior.h"
+#include "Core/Interior/GreenCoordinates.h"
+#include "Core/Interior/HarmonicCoordinates.h"
+#include "Core/Interior/LayerMarch.h"
+#include "Core/Interior/MeanValueCoordinates.h"
 #include "HexSweepBridge.h"
 #include "vtkCageHexInterior.h"
 

@@ -6,7 +6,7 @@
 #ifndef HexSweepMethods_h
 #define HexSweepMethods_h
 
-#include "Core/SweepInterior.h"
+#include "Core/Interior/SweepInterior.h"
 
 namespace hexsweep
 {

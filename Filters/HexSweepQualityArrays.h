@@ -7,7 +7,7 @@
 #ifndef HexSweepQualityArrays_h
 #define HexSweepQualityArrays_h
 
-#include "Core/HexQuality.h"
+#include "Core/Hexahedra/HexQuality.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>

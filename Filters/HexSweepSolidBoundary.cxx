@@ -3,7 +3,7 @@
 
 #include "HexSweepBridge.h"
 
-#include "Core/FaceSides.h"
+#include "Core/Surfaces/FaceSides.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellData.h>

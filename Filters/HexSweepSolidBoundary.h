@@ -6,7 +6,7 @@
 #ifndef HexSweepSolidBoundary_h
 #define HexSweepSolidBoundary_h
 
-#include "Core/Mesh.h"
+#include "Core/Common/Mesh.h"
 
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepSolidQuads.h"
 
-#include "Core/CapQuads.h"
-#include "Core/Constants.h"
-#include "Core/Errors.h"
-#include "Core/LoopGeometry.h"
-#include "Core/SurfacePart.h"
+#include "Core/CapQuads/CapMeshing.h"
+#include "Core/Common/Constants.h"
+#include "Core/Common/Errors.h"
+#include "Core/Geometry/LoopGeometry.h"
+#include "Core/Surfaces/SurfacePart.h"
 #include "HexSweepBridge.h"
 
 #include <vtkDataSet.h>

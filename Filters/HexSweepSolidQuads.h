@@ -7,7 +7,7 @@
 #ifndef HexSweepSolidQuads_h
 #define HexSweepSolidQuads_h
 
-#include "Core/SweepTopology.h"
+#include "Core/Solids/SweepTopology.h"
 #include "HexSweepHexOutput.h"
 #include "HexSweepSolidReader.h"
 

@@ -4,7 +4,7 @@
 #include "HexSweepBridge.h"
 #include "HexSweepSolidBoundary.h"
 
-#include "Core/Describe.h"
+#include "Core/Common/Describe.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>

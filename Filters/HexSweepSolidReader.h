@@ -6,7 +6,7 @@
 #ifndef HexSweepSolidReader_h
 #define HexSweepSolidReader_h
 
-#include "Core/SolidSurface.h"
+#include "Core/Solids/SolidInput.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCageHexInterior.h"
 
-#include "Core/CageMesh.h"
-#include "Core/TopologicalModel.h"
+#include "Core/Interior/CageMesh.h"
+#include "Core/Interior/TopologicalModel.h"
 #include "HexSweepBridge.h"
 #include "HexSweepCage.h"
 #include "HexSweepHexOutput.h"

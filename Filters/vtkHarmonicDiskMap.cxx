@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHarmonicDiskMap.h"
 
-#include "Core/CanonicalDiskMap.h"
-#include "Core/Describe.h"
-#include "Core/LoopMatching.h"
-#include "Core/SurfaceTopology.h"
-#include "Core/SweepProjection.h"
+#include "Core/CapQuads/SweepProjection.h"
+#include "Core/Common/Describe.h"
+#include "Core/DiskMaps/CanonicalDiskMap.h"
+#include "Core/Linking/LoopMatching.h"
+#include "Core/Solvers/SurfaceLaplacian.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepBridge.h"
 #include "HexSweepCapDiskGrid.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHexValidity.h"
 
-#include "Core/HexQuality.h"
+#include "Core/Hexahedra/HexQuality.h"
 #include "HexSweepBridge.h"
 #include "HexSweepHexReader.h"
 #include "HexSweepHexText.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLinkingSideMesher.h"
 
-#include "Core/BoundarySearch.h"
-#include "Core/Constants.h"
-#include "Core/FeatureFaces.h"
-#include "Core/LinkingSides.h"
-#include "Core/OpenEdgeWelding.h"
-#include "Core/SurfaceTopology.h"
+#include "Core/Common/Constants.h"
+#include "Core/Geometry/BoundarySearch.h"
+#include "Core/Linking/LinkingSides.h"
+#include "Core/Solids/FeatureFaces.h"
+#include "Core/Surfaces/OpenEdgeWelding.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepBridge.h"
 #include "HexSweepLinkingReport.h"
 #include "HexSweepSolidReader.h"
@@ -57,7 +57,7 @@ LinkingSurface linkingSurface(SolidData data, double matchTolerance, double feat
 }
 
 /// Number of the loop that each quad's side begins at.
-std::vector<Index> loopsOfQuads(const LinkingSidesMesh& linking, const std::vector<Loop>& loops)
+std::vector<Index> loopsOfQuads(const LinkingMesh& linking, const std::vector<Loop>& loops)
 {
   std::vector<Index> ids;
   for (std::size_t l = 0; l < loops.size(); ++l)
@@ -69,7 +69,7 @@ std::vector<Index> loopsOfQuads(const LinkingSidesMesh& linking, const std::vect
 }
 
 /// What to say where the last rings miss the target cap; empty where they do not.
-std::string checkTarget(vtkDataSet* target, const LinkingSidesMesh& linking,
+std::string checkTarget(vtkDataSet* target, const LinkingMesh& linking,
   const std::vector<Loop>& loops, double matchTolerance)
 {
   const SurfaceInput cap = readTriangles(target, "target surface");
@@ -146,14 +146,14 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   const LinkingSurface surface =
     linkingSurface(readSolid(inputDataSet(inputs, 1), chosenArray(this)), this->MatchTolerance,
       this->FeatureAngle * Pi / 180.0);
-  const std::vector<LinkingSide> sides = splitLinkingSides(surface, quads.points, topology.loops);
+  const std::vector<SideTube> sides = splitLinkingSides(surface, quads.points, topology.loops);
   LayerRequest layers;
   layers.layers = this->NumberOfLayers;
   layers.size = this->LayerSize;
   layers.growth = this->GrowthRatio;
   layers.bothEnds = this->GrowFromBothEnds;
   layers.positions = this->LayerPositions;
-  const LinkingSidesMesh linking = meshLinkingSides(quads.points, topology.loops, sides, layers,
+  const LinkingMesh linking = meshLinkingSides(quads.points, topology.loops, sides, layers,
     this->MatchTolerance, pipelineProgress(this, 0.1, 0.95));
 
   auto* output = vtkUnstructuredGrid::GetData(outputs);

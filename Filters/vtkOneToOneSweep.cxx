@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOneToOneSweep.h"
 
-#include "Core/Constants.h"
-#include "Core/Describe.h"
-#include "Core/RingAdvance.h"
-#include "Core/SolidCage.h"
+#include "Core/Common/Constants.h"
+#include "Core/Common/Describe.h"
+#include "Core/Interior/RingAdvance.h"
+#include "Core/Solids/SolidCage.h"
+#include "Core/Solids/SolidInput.h"
+#include "Core/Solids/TargetFaces.h"
 #include "HexSweepBoundaryGrid.h"
 #include "HexSweepBridge.h"
 #include "HexSweepLinkingReport.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSweepQuadProjector.h"
 
-#include "Core/Describe.h"
-#include "Core/LoopMatching.h"
-#include "Core/SweepProjection.h"
+#include "Core/CapQuads/SweepProjection.h"
+#include "Core/Common/Describe.h"
+#include "Core/Linking/LoopMatching.h"
 #include "HexSweepBridge.h"
 #include "HexSweepCapDiskGrid.h"
 

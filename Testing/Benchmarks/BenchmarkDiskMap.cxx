@@ -3,10 +3,11 @@
 #include "BenchmarkMeshes.h"
 #include "Interleaved.h"
 
-#include "Core/CanonicalDiskMap.h"
-#include "Core/LoopGeometry.h"
-#include "Core/MultifrontalSolver.h"
-#include "Core/SurfaceTopology.h"
+#include "Core/DiskMaps/CanonicalDiskMap.h"
+#include "Core/Geometry/LoopGeometry.h"
+#include "Core/Solvers/MultifrontalSolver.h"
+#include "Core/Solvers/SurfaceLaplacian.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Koebe's iteration on 40 holes against one harmonic map of the same mesh.
-#include "../Cxx/Core/CircleDomains.h"
 #include "Interleaved.h"
+#include "Support/CircleDomains.h"
 
-#include "Core/DirichletSolver.h"
-#include "Core/KoebeMap.h"
-#include "Core/SurfaceTopology.h"
+#include "Core/DiskMaps/KoebeMap.h"
+#include "Core/Solvers/DirichletSolver.h"
+#include "Core/Solvers/SurfaceLaplacian.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 
 namespace
 {

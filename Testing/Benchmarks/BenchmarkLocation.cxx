@@ -4,7 +4,7 @@
 #include "BenchmarkMeshes.h"
 #include "Interleaved.h"
 
-#include "Core/TriangleWalk.h"
+#include "Core/Geometry/TriangleWalk.h"
 
 #include <vtkCellArray.h>
 #include <vtkGenericCell.h>

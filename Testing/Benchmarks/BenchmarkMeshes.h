@@ -6,7 +6,7 @@
 #ifndef BenchmarkMeshes_h
 #define BenchmarkMeshes_h
 
-#include "Core/Mesh.h"
+#include "Core/Common/Mesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #ifndef CgalDiskMap_h
 #define CgalDiskMap_h
 
-#include "Core/Mesh.h"
+#include "Core/Common/Mesh.h"
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/border.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkCageHexInterior: numbering, arrays, report, both orientations, and what it says about bad
 // input.
-#include "../Core/SweepMeshes.h"
+#include "Support/SweepMeshes.h"
 #include "TestEvents.h"
 
 #include <vtkCageHexInterior.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkCageHexInterior on several threads, its progress and its abort.
-#include "../Core/SweepMeshes.h"
 #include "CapGrids.h"
+#include "Support/SweepMeshes.h"
 #include "TestEvents.h"
 
 #include <vtkCageHexInterior.h>

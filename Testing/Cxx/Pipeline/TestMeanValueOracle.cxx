@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Core's mean value coordinates against VTK's.
-#include "../Core/CageShapes.h"
-#include "Core/MeanValueCoordinates.h"
+#include "Core/Interior/MeanValueCoordinates.h"
+#include "Support/CageShapes.h"
 
 #include <gtest/gtest.h>
 

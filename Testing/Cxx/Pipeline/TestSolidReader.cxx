@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Solids from every kind of data set; the parts of those of Data/solids against their case.json.
-#include "Core/SweepTopology.h"
+#include "Core/Solids/SolidInput.h"
+#include "Core/Solids/TargetFaces.h"
 #include "HexSweepSolidReader.h"
 
-#include "../Core/SolidShapes.h"
+#include "Support/SolidShapes.h"
 
 #include <vtkAppendFilter.h>
 #include <vtkCellArray.h>

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The corners of a quad mesh on a surface, and descent of sums over them.
+ */
+#ifndef hexsweep_CapCorners_h
+#define hexsweep_CapCorners_h
+
+#include "Core/Geometry/SurfaceSearch.h"
+
+namespace hexsweep
+{
+/// A direction in which a hex leaves a boundary node of the cap.
+struct ColumnDirection
+{
+  Index point;
+  Eigen::RowVector3d direction; ///< any length but zero
+};
+
+/// Corner of a quad: its node, the next one of the quad and the previous one.
+struct QuadCorner
+{
+  Index node[3];
+  Index quad;
+  Index corner; ///< 0 to 3
+  Index column; ///< number of the column direction that it is projected along, or -1: the surface
+  bool movable; ///< one of the three nodes is free
+};
+
+/// Scaled Jacobian of a corner with edges a, b about a unit normal.
+double cornerScaledJacobian(
+  const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& normal);
+
+/// How good a mesh is: fewer inverted corners first, then the higher minimum. Corners whose three
+/// nodes are fixed are what they are; they do not count here.
+struct CornerQuality
+{
+  Index inverted = 0;      ///< movable corners <= 0 or without a value
+  Index fixedInverted = 0; ///< those that are not movable: no inner node cures them
+  double minimum = 1.0;    ///< least scaled Jacobian of the movable corners
+  double mean = 0.0;       ///< over all quads, of the least corner of each
+
+  bool betterThan(const CornerQuality& other) const
+  {
+    return inverted != other.inverted ? inverted < other.inverted : minimum > other.minimum;
+  }
+};
+
+/**
+ * All corners of a cap's quads, those at boundary nodes with a column twice: on the surface, and
+ * as the corner of the hex on it sees them, along the column.
+ */
+class CapCorners
+{
+public:
+  /**
+   * @param quads   m x 4, consistently oriented.
+   * @param fixed   n entries: nodes that stay.
+   * @param surface consistently oriented, on either side.
+   * @param start   n x 3: on or near the surface; decides which side of it is up.
+   */
+  CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed, const TriangleMesh& surface,
+    const std::vector<ColumnDirection>& columns, const PointsRef& start);
+
+  const std::vector<QuadCorner>& corners() const { return this->Corners; }
+  const std::vector<Index>& freeNodes() const { return this->FreeNodes; }
+  const Quads& quads() const { return this->CapQuads; }
+
+  /// Upward unit normals of the surface at the points nearest to these.
+  SurfacePlaces place(const PointsRef& points) const;
+
+  /// The normal that a corner is measured against.
+  Eigen::RowVector3d normal(const QuadCorner& corner, const PointsRef& normals) const
+  {
+    if (corner.column >= 0)
+    {
+      return this->ColumnNormals.row(corner.column);
+    }
+    return normals.row(corner.node[0]);
+  }
+
+  CornerQuality measure(const PointsRef& points) const;
+
+private:
+  Quads CapQuads;
+  SurfaceSearch Surface;
+  double Side = 1.0;
+  std::vector<QuadCorner> Corners;
+  std::vector<Index> FreeNodes;
+  Points ColumnNormals;
+};
+}
+
+#endif

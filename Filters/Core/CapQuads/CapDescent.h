@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Newton descent of sums over the corners of a cap's quads.
+ */
+#ifndef hexsweep_CapDescent_h
+#define hexsweep_CapDescent_h
+
+#include "Core/CapQuads/CapCorners.h"
+
+#include <memory>
+
+namespace hexsweep
+{
+/// A corner's term as a function of its two edges in the plane across its normal, as columns.
+struct CornerTerm
+{
+  double value;
+  Eigen::Matrix2d gradient;
+  /// Positive semidefinite; the columns of the edge matrix stacked.
+  Eigen::Matrix4d curvature;
+};
+
+/**
+ * Moves the free nodes in their tangent planes, then puts them back on the surface.
+ *
+ * The sparsity is that of the mesh and analysed once.
+ */
+class CapDescent
+{
+public:
+  explicit CapDescent(const CapCorners& cap);
+  ~CapDescent();
+
+  /// Called with the number of the corner (see CapCorners::corners()).
+  using Term = std::function<CornerTerm(std::size_t corner, const Eigen::Matrix2d& edges)>;
+
+  struct Result
+  {
+    Points points;
+    double before;
+    double after;
+  };
+
+  /// @param steps at the most; fewer once a step lowers the sum by less than relativeDecrease.
+  Result descend(const Points& points, const Term& term, int steps, double relativeDecrease) const;
+
+private:
+  struct System;
+  const CapCorners& Cap;
+  std::unique_ptr<System> Equations;
+};
+}
+
+#endif

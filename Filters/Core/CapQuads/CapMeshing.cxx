@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/CapQuads/CapMeshing.h"
+
+#include "Core/CapQuads/CurveDivision.h"
+#include "Core/CapQuads/CurveNodes.h"
+#include "Core/CapQuads/MidpointSubdivision.h"
+#include "Core/CapQuads/QuadPolishing.h"
+#include "Core/CapQuads/QuadQuality.h"
+#include "Core/CapQuads/SurfaceRemeshing.h"
+#include "Core/CapQuads/TrianglePairing.h"
+#include "Core/Common/Describe.h"
+#include "Core/Common/Errors.h"
+#include "Core/Geometry/LoopGeometry.h"
+#include "Core/Surfaces/SurfaceArea.h"
+#include "Core/Surfaces/SurfaceTopology.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hexsweep
+{
+namespace
+{
+constexpr double MaximumQuads = 50e6;
+/// Edges of the triangles over those of the quads: pairs of equilateral triangles, cut in four,
+/// are as large as squares of the wanted size.
+constexpr double TriangleSize = 2.32;
+constexpr double Growth = 0.4;
+constexpr int PatchRings = 4; // around an inverted quad
+constexpr double DefaultQuads = 1000.0;
+constexpr double MostDefaultQuads = 16000.0;
+constexpr double DefaultLoopEdges = 12.0;
+
+void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
+  const std::vector<Index>& faceIds, const CapQuadOptions& options)
+{
+  if (!faceIds.empty() && static_cast<Index>(faceIds.size()) != cap.triangles.rows())
+  {
+    throw InvalidInput("the cap has " + std::to_string(cap.triangles.rows()) + " triangles, but " +
+      std::to_string(faceIds.size()) + " face ids were given. Give one a triangle, or none.");
+  }
+  if (!(options.size > 0.0) || !std::isfinite(options.size))
+  {
+    throw InvalidInput("the wanted size of the quads is " + describe(options.size) +
+      "; it is an edge length. Give a positive one.");
+  }
+  double perimeter = 0.0;
+  for (const Loop& loop : loops)
+  {
+    perimeter += closedLength(loopPoints(cap.points, loop));
+  }
+  const double area = surfaceArea(cap);
+  const double quads = std::max(area / options.size, perimeter) / options.size;
+  if (!(quads <= MaximumQuads))
+  {
+    throw InvalidInput("quads of size " + describe(options.size) + " would be about " +
+      describe(quads) + " on this cap (area " + describe(area) +
+      "), more than 50 million. Give a larger size, at least " +
+      describe(std::max(std::sqrt(area / MaximumQuads), perimeter / MaximumQuads)) + ".");
+  }
+  std::vector<bool> used(static_cast<std::size_t>(cap.points.rows()), false);
+  for (Index i = 0; i < cap.triangles.size(); ++i)
+  {
+    used[static_cast<std::size_t>(cap.triangles.data()[i])] = true;
+  }
+  for (const Index point : options.keep)
+  {
+    if (point < 0 || point >= cap.points.rows() || !used[static_cast<std::size_t>(point)])
+    {
+      throw InvalidInput("point " + std::to_string(point) +
+        " is to become a node of the quads, but no triangle of the cap uses it. Name points of the "
+        "cap only.");
+    }
+  }
+}
+
+/// Whether each curve consists of edges to keep, and these can be edges of the quads.
+std::vector<bool> keptCurves(
+  const std::vector<CapCurve>& curves, std::vector<std::pair<Index, Index>> edges)
+{
+  for (auto& edge : edges)
+  {
+    edge = std::minmax({ edge.first, edge.second });
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<bool> kept;
+  for (const CapCurve& curve : curves)
+  {
+    // Two triangles' edges on a curve, four on a loop: fewer are no mesh.
+    const std::size_t count = curve.points.size() - 1;
+    bool all = curve.loop >= 0 && count % 2 == 0 && count >= (curve.closed() ? 8 : 4);
+    for (std::size_t k = 0; k < count && all; ++k)
+    {
+      const std::pair<Index, Index> edge = std::minmax({ curve.points[k], curve.points[k + 1] });
+      all = std::binary_search(edges.begin(), edges.end(), edge);
+    }
+    kept.push_back(all);
+  }
+  return kept;
+}
+
+/// Every second point of the curves to keep is a node of the triangles.
+void divideAtEverySecondPoint(const PointsRef& points, const std::vector<CapCurve>& curves,
+  const std::vector<bool>& kept, std::vector<std::vector<double>>& divided)
+{
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    if (kept[c])
+    {
+      const ArcLengthChain chain = chainOf(points, curves[c]);
+      divided[c].clear();
+      for (std::size_t k = 0; k < curves[c].points.size(); k += 2)
+      {
+        divided[c].push_back(chain.reached(static_cast<Index>(k)));
+      }
+    }
+  }
+}
+
+/// Untangles the quads around inverted ones only: the others need no work, and there may be many.
+Points untangledLocally(const TriangleMesh& cap, const QuadMesh& mesh,
+  const std::vector<bool>& fixed, const PointsRef& normals, const Progress& progress)
+{
+  const QuadQuality quality = quadQuality(mesh.points, mesh.quads, normals);
+  if (quality.inverted == 0)
+  {
+    return mesh.points;
+  }
+  std::vector<bool> near(fixed.size(), false);
+  for (Index q = 0; q < mesh.quads.rows(); ++q)
+  {
+    for (Index c = 0; c < 4 && !(quality.scaledJacobian[q] > 0.0); ++c)
+    {
+      near[static_cast<std::size_t>(mesh.quads(q, c))] = true;
+    }
+  }
+  std::vector<Index> patch;
+  for (int ring = 0; ring <= PatchRings; ++ring)
+  {
+    patch.clear();
+    for (Index q = 0; q < mesh.quads.rows(); ++q)
+    {
+      bool touched = false;
+      for (Index c = 0; c < 4; ++c)
+      {
+        touched = touched || near[static_cast<std::size_t>(mesh.quads(q, c))];
+      }
+      if (touched)
+      {
+        patch.push_back(q);
+      }
+    }
+    for (const Index q : patch)
+    {
+      for (Index c = 0; c < 4 && ring < PatchRings; ++c)
+      {
+        near[static_cast<std::size_t>(mesh.quads(q, c))] = true;
+      }
+    }
+  }
+  Quads quads(static_cast<Index>(patch.size()), 4);
+  for (std::size_t k = 0; k < patch.size(); ++k)
+  {
+    quads.row(static_cast<Index>(k)) = mesh.quads.row(patch[k]);
+  }
+  std::vector<bool> still = fixed;
+  for (std::size_t i = 0; i < still.size(); ++i)
+  {
+    still[i] = still[i] || !near[i];
+  }
+  const CapCorners corners(quads, still, cap, {}, mesh.points);
+  return untangleQuads(corners, mesh.points, mesh.points, progress).points;
+}
+
+}
+
+CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& faceIds,
+  const CapQuadOptions& options, const Progress& progress)
+{
+  const std::string what = "cap";
+  const SurfaceTopology topology = checkSurface(cap.triangles, cap.points.rows(), what);
+  checkCap(topology, what);
+  checkOptions(cap, topology.loops, faceIds, options);
+
+  const std::vector<CapCurve> curves =
+    traceCapCurves(cap, topology.loops, faceIds, options.keep, options.size);
+  const std::vector<bool> kept = keptCurves(curves, options.keepEdges);
+  std::vector<std::vector<double>> divided = divideCapCurves(cap, curves, 2.0 * options.size);
+  divideAtEverySecondPoint(cap.points, curves, kept, divided);
+  const DividedCap prepared = putNodesOnCurves(cap, curves, divided, options.keep);
+  const SurfaceSearch surface(cap);
+  const TriangleRemesher::Result remeshed = remeshSurface(
+    prepared.input, surface, TriangleSize * options.size, Growth, progressPart(progress, 0.0, 0.5));
+
+  const std::vector<CurveEdge> onCurves = curveEdges(prepared, remeshed.pointOf, kept);
+  std::vector<std::pair<Index, Index>> keptEdges;
+  for (const CurveEdge& edge : onCurves)
+  {
+    keptEdges.push_back(edge.ends);
+  }
+  const PairedTriangles paired =
+    pairTriangles(remeshed.mesh, surface.project(remeshed.mesh.points).normals, keptEdges);
+  SubdividedFaces subdivided =
+    subdivideAtMidpoints(remeshed.mesh.points, paired.quads, paired.triangles);
+
+  CapQuads result;
+  result.mesh.quads = std::move(subdivided.mesh.quads);
+  result.loops = static_cast<Index>(topology.loops.size());
+  result.splitTriangles = paired.triangles.rows();
+  for (const Index point : options.keep)
+  {
+    result.keptNodes.push_back(remeshed.pointOf[static_cast<std::size_t>(point)]);
+  }
+  const Index coarse = remeshed.mesh.points.rows();
+  Points points = surface.project(subdivided.mesh.points).points;
+  points.topRows(coarse) = remeshed.mesh.points;
+  result.onCurve.assign(static_cast<std::size_t>(points.rows()), false);
+  for (const CurveEdge& edge : onCurves)
+  {
+    const auto found =
+      std::lower_bound(subdivided.edges.begin(), subdivided.edges.end(), edge.ends);
+    const Index node = coarse + (found - subdivided.edges.begin());
+    points.row(node) = edge.middle;
+    for (const Index i : { edge.ends.first, edge.ends.second, node })
+    {
+      result.onCurve[static_cast<std::size_t>(i)] = true;
+    }
+  }
+  std::vector<bool> fixed = result.onCurve;
+  for (const Index node : result.keptNodes)
+  {
+    fixed[static_cast<std::size_t>(node)] = true;
+  }
+  result.mesh.points = std::move(points);
+  result.mesh.points = untangledLocally(cap, result.mesh, fixed,
+    surface.project(result.mesh.points).normals, progressPart(progress, 0.5, 0.75));
+  const CapCorners corners(result.mesh.quads, fixed, cap, {}, result.mesh.points);
+  result.mesh.points =
+    polishQuads(corners, result.mesh.points, result.mesh.points, progressPart(progress, 0.75, 1.0))
+      .points;
+
+  const TriangleSearch search(cap.points, cap.triangles);
+  Index last = -1;
+  for (Index q = 0; q < result.mesh.quads.rows(); ++q)
+  {
+    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+    for (Index c = 0; c < 4; ++c)
+    {
+      middle += 0.25 * result.mesh.points.row(result.mesh.quads(q, c));
+    }
+    last = search.closest(middle, last).triangle;
+    result.quadOrigin.push_back(last);
+  }
+  const QuadQuality quality =
+    quadQuality(result.mesh.points, result.mesh.quads, surface.project(result.mesh.points).normals);
+  result.inverted = quality.inverted;
+  result.minimumScaledJacobian = quality.minimum;
+  result.meanScaledJacobian = quality.mean;
+  return result;
+}
+
+double defaultQuadSize(const TriangleMesh& cap)
+{
+  const double area = surfaceArea(cap);
+  if (!(area > 0.0) || !std::isfinite(area))
+  {
+    throw InvalidInput(
+      "the cap has no area: its points coincide or lie on a line. Check the triangles.");
+  }
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Loop& loop : checkSurface(cap.triangles, cap.points.rows(), "cap").loops)
+  {
+    shortest = std::min(shortest, closedLength(loopPoints(cap.points, loop)));
+  }
+  return std::max(std::sqrt(area / MostDefaultQuads),
+    std::min(std::sqrt(area / DefaultQuads), shortest / DefaultLoopEdges));
+}
+}

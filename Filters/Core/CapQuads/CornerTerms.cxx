@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/CapQuads/CornerTerms.h"
+
+#include "Core/Geometry/FoldoverFreeEnergy.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace hexsweep
+{
+namespace
+{
+/// Shape counts, size hardly: quads of very different sizes are wanted where a hole grows.
+constexpr double VolumeWeight = 1.0 / 128.0;
+
+/// Sine of a source corner below which a right angle is wanted instead.
+constexpr double SharpestReference = 0.2;
+
+Eigen::Matrix2d referenceCorner(
+  ReferenceShape shape, const PointsRef& source, const Quads& quads, const QuadCorner& corner)
+{
+  Eigen::Matrix2d reference = Eigen::Matrix2d::Identity();
+  if (shape == ReferenceShape::Square)
+  {
+    return reference;
+  }
+  const auto side = [&](Index k) -> Eigen::RowVector3d {
+    return source.row(quads(corner.quad, (corner.corner + k + 1) % 4)) -
+      source.row(quads(corner.quad, (corner.corner + k) % 4));
+  };
+  reference(0, 0) = 0.5 * (side(0).norm() + side(2).norm());
+  reference(1, 1) = 0.5 * (side(1).norm() + side(3).norm());
+  if (shape == ReferenceShape::SourceQuad)
+  {
+    const Eigen::RowVector3d next = side(0);
+    const Eigen::RowVector3d previous = -side(3);
+    const double height = next.cross(previous).norm() / next.norm();
+    if (height > SharpestReference * previous.norm())
+    {
+      reference << next.norm(), next.dot(previous) / next.norm(), 0.0, height;
+    }
+  }
+  return reference;
+}
+}
+
+std::vector<Eigen::Matrix2d> inverseReferences(
+  const CapCorners& cap, ReferenceShape shape, const PointsRef& source, const PointsRef& points)
+{
+  const Points normals = cap.place(points).normals;
+  std::vector<Eigen::Matrix2d> inverse;
+  double referenceArea = 0.0;
+  double area = 0.0;
+  for (const QuadCorner& corner : cap.corners())
+  {
+    const Eigen::Matrix2d reference = referenceCorner(shape, source, cap.quads(), corner);
+    inverse.push_back(reference.inverse());
+    if (corner.column < 0)
+    {
+      const Eigen::RowVector3d a = points.row(corner.node[1]) - points.row(corner.node[0]);
+      const Eigen::RowVector3d b = points.row(corner.node[2]) - points.row(corner.node[0]);
+      referenceArea += reference.determinant();
+      area += a.cross(b).dot(cap.normal(corner, normals));
+    }
+  }
+  const double scale = std::sqrt(referenceArea / std::abs(area));
+  for (Eigen::Matrix2d& matrix : inverse)
+  {
+    matrix *= scale;
+  }
+  return inverse;
+}
+
+CornerTerm distortionTerm(
+  const Eigen::Matrix2d& edges, const Eigen::Matrix2d& inverseReference, double epsilon)
+{
+  const Distortion<2> d = distortion<2>(edges * inverseReference, epsilon, VolumeWeight);
+  // The columns of the Jacobian are combinations of the edges: its curvature in blocks of them.
+  Eigen::Matrix4d combine = Eigen::Matrix4d::Zero();
+  for (int jacobianColumn = 0; jacobianColumn < 2; ++jacobianColumn)
+  {
+    for (int edge = 0; edge < 2; ++edge)
+    {
+      combine.block<2, 2>(2 * jacobianColumn, 2 * edge) =
+        inverseReference(edge, jacobianColumn) * Eigen::Matrix2d::Identity();
+    }
+  }
+  return { d.value, d.gradient * inverseReference.transpose(),
+    combine.transpose() * d.curvature * combine };
+}
+
+CornerTerm jacobianTerm(
+  const Eigen::Matrix2d& edges, const std::function<CurvePoint(double)>& function)
+{
+  const Eigen::Vector2d a = edges.col(0);
+  const Eigen::Vector2d b = edges.col(1);
+  const double lengths = a.norm() * b.norm();
+  const double jacobian = edges.determinant() / lengths;
+  const CurvePoint f = function(jacobian);
+  Eigen::Matrix2d gradient;
+  gradient.col(0) = Eigen::Vector2d(b.y(), -b.x()) / lengths - jacobian * a / a.squaredNorm();
+  gradient.col(1) = Eigen::Vector2d(-a.y(), a.x()) / lengths - jacobian * b / b.squaredNorm();
+  const Eigen::Map<const Eigen::Vector4d> g(gradient.data());
+  CornerTerm term{ f.value, f.slope * gradient, f.curvature * g * g.transpose() };
+  if (f.slope < 0.0 && jacobian > 0.0)
+  {
+    // The sine is concave in the angle between the edges, so that a falling function of it curves
+    // upwards; the curvature of the angle itself has no sign and is left out.
+    Eigen::Vector4d turn;
+    turn << Eigen::Vector2d(-a.y(), a.x()) / a.squaredNorm(),
+      Eigen::Vector2d(b.y(), -b.x()) / b.squaredNorm();
+    term.curvature -= f.slope * jacobian * turn * turn.transpose();
+  }
+  return term;
+}
+
+CornerTerm sumOfTerms(const CornerTerm& a, const CornerTerm& b, double weight)
+{
+  return { a.value + weight * b.value, a.gradient + weight * b.gradient,
+    a.curvature + weight * b.curvature };
+}
+}

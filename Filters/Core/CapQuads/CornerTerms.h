@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief What a quad's corner contributes to the sums that CapDescent lowers.
+ */
+#ifndef hexsweep_CornerTerms_h
+#define hexsweep_CornerTerms_h
+
+#include "Core/CapQuads/CapDescent.h"
+
+namespace hexsweep
+{
+/// A function of one variable at one place.
+struct CurvePoint
+{
+  double value;
+  double slope;
+  double curvature; ///< >= 0
+};
+
+/// What each quad is to look like.
+enum class ReferenceShape
+{
+  SourceQuad, ///< the quad that it came from
+  Rectangle,  ///< a rectangle with the source quad's mean edge lengths
+  Square
+};
+
+/**
+ * Inverse of the wanted edge matrix of each corner (columns: edge to the next node, edge to the
+ * previous one), scaled so that all wanted quads together are as large as the mesh.
+ */
+std::vector<Eigen::Matrix2d> inverseReferences(
+  const CapCorners& cap, ReferenceShape shape, const PointsRef& source, const PointsRef& points);
+
+/// distortion() of the map from the wanted corner.
+CornerTerm distortionTerm(
+  const Eigen::Matrix2d& edges, const Eigen::Matrix2d& inverseReference, double epsilon);
+
+/// A convex falling function of the corner's scaled Jacobian, the sine of its angle.
+CornerTerm jacobianTerm(
+  const Eigen::Matrix2d& edges, const std::function<CurvePoint(double)>& function);
+
+/// a + weight * b
+CornerTerm sumOfTerms(const CornerTerm& a, const CornerTerm& b, double weight);
+}
+
+#endif

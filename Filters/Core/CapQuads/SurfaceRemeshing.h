@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Triangles of about one size on a given surface.
+ */
+#ifndef hexsweep_SurfaceRemeshing_h
+#define hexsweep_SurfaceRemeshing_h
+
+#include "Core/CapQuads/TriangleRemesher.h"
+
+namespace hexsweep
+{
+/**
+ * Isotropic remeshing (M. Botsch, L. Kobbelt, "A remeshing approach to multiresolution modeling",
+ * Symposium on Geometry Processing, 2004): edges that are too long are halved, short ones
+ * collapsed, edges flipped, vertices moved to the centroids of their surroundings, in turn. Flips
+ * aim at Delaunay triangles instead of equal valences, and no operation turns a triangle over.
+ *
+ * @param surface on which all new vertices come to lie.
+ * @param size    wanted edge length away from the curves, > 0.
+ * @param growth  of the wanted length with the distance from shorter edges on curves, > 0.
+ * @throw Aborted.
+ */
+TriangleRemesher::Result remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
+  double size, double growth, const Progress& progress = {});
+}
+
+#endif

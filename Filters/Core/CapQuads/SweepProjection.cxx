@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/CapQuads/SweepProjection.h"
+
+#include "Core/Common/Errors.h"
+#include "Core/Geometry/AffineMap.h"
+#include "Core/Geometry/LoopGeometry.h"
+#include "Core/Geometry/SurfaceSearch.h"
+#include "Core/Geometry/TriangleSearch.h"
+#include "Core/Linking/LinkingRings.h"
+#include "Core/Linking/LoopMatching.h"
+#include "Core/Surfaces/SurfaceTopology.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+/// Disk coordinates of common boundary nodes agree to rounding; the disk's size is 1.
+constexpr double SameDiskPoint = 1e-9;
+
+TriangleMesh oriented(const TriangleMesh& mesh, const std::string& what)
+{
+  TriangleMesh result = mesh;
+  result.triangles = orientFaces(mesh.triangles, what);
+  checkCap(checkSurface(result.triangles, result.points.rows(), what), what);
+  return result;
+}
+
+CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
+  const LinkedLoops& linked, Weights weights, double matchTolerance, const Progress& progress,
+  const CapNames& names, TriangulationImprovement improvement)
+{
+  if (!linked.swapped)
+  {
+    return commonDiskMap(
+      cap, partner, linked.pairs, weights, matchTolerance, progress, names, improvement);
+  }
+  CommonDisks disks = commonDiskMap(partner, cap, linked.pairs, weights, matchTolerance, progress,
+    { names.second, names.first, names.rings }, improvement);
+  std::swap(disks.first, disks.second);
+  return disks;
+}
+
+/// The pairs with LoopPair::first on the first cap.
+std::vector<LoopPair> sourceFirst(LinkedLoops linked)
+{
+  for (LoopPair& pair : linked.pairs)
+  {
+    if (linked.swapped)
+    {
+      std::swap(pair.first, pair.second);
+    }
+  }
+  return std::move(linked.pairs);
+}
+
+LinkedLoops link(const TriangleMesh& cap, const TriangleMesh& partner, const QuadMesh& linking,
+  double matchTolerance, const CapNames& names)
+{
+  return linkLoops(cap.points, checkSurface(cap.triangles, cap.points.rows(), names.first).loops,
+    partner.points, checkSurface(partner.triangles, partner.points.rows(), names.second).loops,
+    linking.points, linking.quads, matchTolerance);
+}
+
+BoundaryMismatch mismatchOf(const TriangleMesh& cap, const std::string& what,
+  const std::vector<Points>& rings, double matchTolerance)
+{
+  if (rings.empty())
+  {
+    return {};
+  }
+  return boundaryMismatch(
+    cap.points, checkSurface(cap.triangles, cap.points.rows(), what).loops, rings, matchTolerance);
+}
+
+/// Where the boundary nodes of the quads belong on the target cap.
+struct Boundary
+{
+  std::vector<FixedNode> nodes;
+  std::vector<ColumnDirection> columns; // with linking sides only
+  std::vector<Points> lastRings;        // with linking sides only
+  std::vector<LoopPair> shapePairs;     // without linking sides only
+  std::vector<double> startFractions;
+  std::vector<std::string> doubts;
+};
+
+Boundary placeBoundary(
+  const SweepProjectionInput& input, const TriangleMesh& target, const std::vector<Loop>& loops)
+{
+  Boundary boundary;
+  if (input.linking)
+  {
+    const LinkingRings rings = traceLinkingRings(input.source.points, loops, input.linking->points,
+      input.linking->quads, input.matchTolerance);
+    for (std::size_t l = 0; l < loops.size(); ++l)
+    {
+      const Index layers = rings.numberOfLayers();
+      const Points last = ringPoints(rings, input.linking->points, l, layers);
+      const Points above = ringPoints(rings, input.linking->points, l, layers - 1);
+      for (std::size_t j = 0; j < loops[l].size(); ++j)
+      {
+        const Index row = static_cast<Index>(j);
+        boundary.nodes.push_back({ loops[l][j], last.row(row) });
+        boundary.columns.push_back({ loops[l][j], above.row(row) - last.row(row) });
+      }
+      boundary.lastRings.push_back(last);
+    }
+    return boundary;
+  }
+  MatchedLoops matched = matchLoopsByShape(input.source.points, loops, target.points,
+    checkSurface(target.triangles, target.points.rows(), "target surface").loops, "source quads",
+    "target surface");
+  for (std::size_t l = 0; l < loops.size(); ++l)
+  {
+    for (std::size_t j = 0; j < loops[l].size(); ++j)
+    {
+      boundary.nodes.push_back({ loops[l][j], matched.pairs[l].second.row(static_cast<Index>(j)) });
+    }
+  }
+  boundary.shapePairs = outerFirst(std::move(matched.pairs));
+  boundary.startFractions = std::move(matched.startFractions);
+  boundary.doubts = std::move(matched.doubts);
+  return boundary;
+}
+
+std::vector<bool> usedPoints(const QuadMesh& mesh)
+{
+  std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
+  for (Index i = 0; i < mesh.quads.size(); ++i)
+  {
+    used[static_cast<std::size_t>(mesh.quads.data()[i])] = true;
+  }
+  return used;
+}
+
+/// Every boundary node of one disk must be one of the other, in the same place.
+void checkSameBoundary(const CapDisk& source, const CapDisk& target)
+{
+  const auto boundaryPoints = [](const CapDisk& cap) {
+    std::vector<Index> ids;
+    for (const Loop& loop : cap.loops)
+    {
+      ids.insert(ids.end(), loop.begin(), loop.end());
+    }
+    Points corners(static_cast<Index>(ids.size()) * 3, 3);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      const Eigen::RowVector2d p = cap.disk.row(ids[i]);
+      corners.middleRows<3>(static_cast<Index>(i) * 3).rowwise() =
+        Eigen::RowVector3d(p.x(), p.y(), 0.0);
+    }
+    return corners;
+  };
+  const Points a = boundaryPoints(source);
+  const Points b = boundaryPoints(target);
+  bool same = source.domain == target.domain && a.rows() == b.rows();
+  const TriangleSearch inB(b);
+  for (Index i = 0; same && i < a.rows(); i += 3)
+  {
+    same = inB.closest(a.row(i)).distance <= SameDiskPoint;
+  }
+  if (!same)
+  {
+    throw InvalidInput("the disk maps of the two surfaces do not share their loops. Map each cap "
+                       "with the other as Partner and the same linking sides, or let the projector "
+                       "make the maps (DiskMaps = Automatic).");
+  }
+}
+
+/**
+ * Whether the target is an affine image of the source, up to a small part of an edge, and so near
+ * that what its nodes drift sideways would tilt the columns of hexahedra.
+ *
+ * @param outer the outer loop of the quads.
+ */
+bool isThinAffineSweep(
+  const SweepProjectionInput& input, const Boundary& boundary, const Loop& outer)
+{
+  constexpr double AffineSlack = 0.1; // of an edge
+  constexpr double ThinSweep = 5.0;   // edges
+  const Index n = static_cast<Index>(boundary.nodes.size());
+  Points from(n, 3);
+  Points to(n, 3);
+  Points outerTo(static_cast<Index>(outer.size()), 3);
+  std::vector<Index> rowOf(static_cast<std::size_t>(input.source.points.rows()), -1);
+  for (Index i = 0; i < n; ++i)
+  {
+    const FixedNode& node = boundary.nodes[static_cast<std::size_t>(i)];
+    from.row(i) = input.source.points.row(node.point);
+    to.row(i) = node.position;
+    rowOf[static_cast<std::size_t>(node.point)] = i;
+  }
+  for (std::size_t j = 0; j < outer.size(); ++j)
+  {
+    outerTo.row(static_cast<Index>(j)) = to.row(rowOf[static_cast<std::size_t>(outer[j])]);
+  }
+  const AffineMap map =
+    fitAffineMap(from, to, areaVector(loopPoints(input.source.points, outer)), areaVector(outerTo));
+  const double residual = (map.apply(from) - to).rowwise().norm().maxCoeff();
+  const double edge = closedLength(outerTo) / static_cast<double>(outer.size());
+  return residual < AffineSlack * edge && (to - from).rowwise().norm().mean() < ThinSweep * edge;
+}
+
+/// Untangles and polishes as asked, and judges the result.
+void improve(SweepProjection& result, const SweepProjectionInput& input, const Boundary& boundary,
+  const Loop& outer, const TriangleMesh& target, const Progress& progress)
+{
+  const SurfaceSearch surface(target);
+  // Points that no quad uses are nobody's to move; they count as fixed.
+  std::vector<bool> fixed = usedPoints(input.source);
+  fixed.flip();
+  for (const FixedNode& node : boundary.nodes)
+  {
+    fixed[static_cast<std::size_t>(node.point)] = true;
+  }
+  const auto judge = [&] {
+    if (input.singlePrecision)
+    {
+      result.quads.points = result.quads.points.cast<float>().cast<double>().eval();
+    }
+    const Points normals = surface.project(result.quads.points).normals;
+    result.quality = quadQuality(result.quads.points, input.source.quads, normals);
+    result.fixedCorners = fixedQuadCorners(result.quads.points, input.source.quads, normals, fixed);
+  };
+  judge();
+  result.invertedBefore = result.quality.inverted;
+  if (!input.ensureValid && !input.improveQuality)
+  {
+    return;
+  }
+  if (input.improveQuality && input.method == ProjectionMethod::Harmonic && input.linking &&
+    isThinAffineSweep(input, boundary, outer))
+  {
+    Points harmonic = std::move(result.quads.points);
+    result.quads.points =
+      projectAffinely(input.source.points, usedPoints(input.source), boundary.nodes, outer, target)
+        .points;
+    judge();
+    if (result.quality.inverted == 0)
+    {
+      return;
+    }
+    result.quads.points = std::move(harmonic);
+  }
+  const CapCorners corners(
+    input.source.quads, fixed, target, boundary.columns, result.quads.points);
+  if (input.ensureValid)
+  {
+    ImprovedQuads untangled = untangleQuads(
+      corners, result.quads.points, input.source.points, progressPart(progress, 0.0, 0.5));
+    result.quads.points = std::move(untangled.points);
+    result.rounds += untangled.rounds;
+  }
+  if (input.improveQuality)
+  {
+    ImprovedQuads polished = polishQuads(
+      corners, result.quads.points, input.source.points, progressPart(progress, 0.5, 1.0));
+    result.quads.points = std::move(polished.points);
+    result.rounds += polished.rounds;
+  }
+  judge();
+}
+}
+
+Triangles halveQuads(const PointsRef& points, const QuadsRef& quads)
+{
+  Triangles triangles(quads.rows() * 2, 3);
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    const auto squaredLength = [&](Index a, Index b) {
+      return (points.row(quads(q, a)) - points.row(quads(q, b))).squaredNorm();
+    };
+    const Index s = squaredLength(0, 2) <= squaredLength(1, 3) ? 0 : 1;
+    triangles.row(2 * q) << quads(q, s), quads(q, s + 1), quads(q, s + 2);
+    triangles.row(2 * q + 1) << quads(q, s), quads(q, s + 2), quads(q, (s + 3) % 4);
+  }
+  return triangles;
+}
+
+LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
+  const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
+  const Progress& progress, TriangulationImprovement improvement)
+{
+  const TriangleMesh first = oriented(cap, "input surface");
+  const TriangleMesh second = oriented(partner, "partner surface");
+  const CapNames names{ "input surface", "partner surface",
+    linking ? "linking sides" : "input surface" };
+  LinkedLoops linked;
+  MatchedLoops matched;
+  if (linking)
+  {
+    linked = link(first, second, *linking, matchTolerance, names);
+  }
+  else
+  {
+    matched = matchLoopsByShape(first.points,
+      checkSurface(first.triangles, first.points.rows(), "input surface").loops, second.points,
+      checkSurface(second.triangles, second.points.rows(), "partner surface").loops,
+      "input surface", "partner surface");
+    linked.pairs = outerFirst(std::move(matched.pairs));
+  }
+  LinkedDisks disks;
+  static_cast<CommonDisks&>(disks) =
+    mapPairs(first, second, linked, weights, matchTolerance, progress, names, improvement);
+  std::vector<Points> rings;
+  for (const LoopPair& pair : linked.pairs)
+  {
+    rings.push_back(linked.swapped ? pair.second : pair.first);
+  }
+  disks.mismatch = mismatchOf(first, "input surface", rings, matchTolerance);
+  disks.startFractions = std::move(matched.startFractions);
+  disks.doubts = std::move(matched.doubts);
+  return disks;
+}
+
+SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& progress)
+{
+  const SurfaceTopology topology =
+    checkSurface(input.source.quads, input.source.points.rows(), "source quads");
+  checkCap(topology, "source quads");
+  const bool given = input.sourceDisk && input.targetDisk;
+  if (given && input.method == ProjectionMethod::PaperHarmonic)
+  {
+    throw InvalidInput("the method PaperHarmonic makes disk maps of its own and cannot use given "
+                       "ones. Set DiskMaps to Automatic, or Method to Harmonic.");
+  }
+  const TriangleMesh target =
+    given ? input.targetDisk->mesh : oriented(input.target, "target surface");
+  const Boundary boundary = placeBoundary(input, target, topology.loops);
+  const std::vector<bool> used = usedPoints(input.source);
+  reportProgress(progress, 0.05);
+
+  SweepProjection result;
+  result.startFractions = boundary.startFractions;
+  result.doubts = boundary.doubts;
+  if (!given)
+  {
+    result.targetMismatch =
+      mismatchOf(target, "target surface", boundary.lastRings, input.matchTolerance);
+  }
+  if (input.method == ProjectionMethod::AffineLeastSquares)
+  {
+    result.quads = projectAffinely(input.source.points, used, boundary.nodes,
+      topology.loops[longestLoop(input.source.points, topology.loops)], target,
+      progressPart(progress, 0.05, 0.7));
+  }
+  else
+  {
+    if (given)
+    {
+      checkSameBoundary(*input.sourceDisk, *input.targetDisk);
+      result.source = input.sourceDisk;
+      result.target = input.targetDisk;
+    }
+    else
+    {
+      const TriangleMesh source = input.sourceSurface
+        ? oriented(*input.sourceSurface, "source surface")
+        : TriangleMesh{ input.source.points, halveQuads(input.source.points, input.source.quads) };
+      std::vector<Points> firstRings;
+      for (const Loop& loop : topology.loops)
+      {
+        firstRings.push_back(loopPoints(input.source.points, loop));
+      }
+      result.sourceMismatch =
+        mismatchOf(source, "source surface", firstRings, input.matchTolerance);
+      const CapNames names{ input.sourceSurface ? "source surface" : "source quads",
+        "target surface", input.linking ? "linking sides" : "source quads" };
+      LinkedLoops linked;
+      linked.pairs = boundary.shapePairs;
+      if (input.linking)
+      {
+        linked = link(source, target, *input.linking, input.matchTolerance, names);
+      }
+      const Progress mapping = progressPart(progress, 0.05, 0.6);
+      CommonDisks disks;
+      if (input.method == ProjectionMethod::PaperHarmonic)
+      {
+        PaperDisks pinned = paperDiskMap(source, target, sourceFirst(std::move(linked)),
+          input.weights, input.matchTolerance, mapping, names);
+        disks = std::move(pinned.disks);
+        result.nitsche = pinned.nitsche;
+      }
+      else
+      {
+        disks = mapPairs(source, target, linked, input.weights, input.matchTolerance, mapping,
+          names, input.improvement);
+      }
+      result.source = std::move(disks.first);
+      result.target = std::move(disks.second);
+    }
+    result.quads = projectThroughDisks(input.source.points, used, boundary.nodes, *result.source,
+      *result.target, progressPart(progress, 0.6, 0.7));
+  }
+  // The triangulation of the map, also where it was made here: given maps must give the same bits.
+  improve(result, input, boundary, topology.loops[longestLoop(input.source.points, topology.loops)],
+    result.target ? result.target->mesh : target, progressPart(progress, 0.7, 1.0));
+  reportProgress(progress, 1.0);
+  return result;
+}
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief From the quads of the source cap to the quads of the target cap, in one call
+ * (paper section 3.2).
+ */
+#ifndef hexsweep_SweepProjection_h
+#define hexsweep_SweepProjection_h
+
+#include "Core/CapQuads/QuadPolishing.h"
+#include "Core/CapQuads/QuadProjection.h"
+#include "Core/CapQuads/QuadQuality.h"
+#include "Core/DiskMaps/PaperDiskMap.h"
+#include "Core/Geometry/BoundarySearch.h"
+
+#include <optional>
+#include <string>
+
+namespace hexsweep
+{
+enum class ProjectionMethod
+{
+  Harmonic,          ///< through the harmonic maps of both caps to a common domain
+  PaperHarmonic,     ///< the source pinned to the canonical domain of the target, for comparison
+  AffineLeastSquares ///< the traditional method, for comparison
+};
+
+struct SweepProjectionInput
+{
+  QuadMesh source;     ///< consistently oriented
+  TriangleMesh target; ///< any orientation
+  /// Structured quads between the caps, any orientation. Without them loops are matched by shape.
+  std::optional<QuadMesh> linking;
+  /// Triangulation of the source cap; without it the quads' own, halved along shorter diagonals.
+  std::optional<TriangleMesh> sourceSurface;
+  /// Disk maps of both caps that were made before, to be used as they are.
+  std::optional<CapDisk> sourceDisk;
+  std::optional<CapDisk> targetDisk;
+  ProjectionMethod method = ProjectionMethod::Harmonic;
+  Weights weights = Weights::Cotangent;
+  TriangulationImprovement improvement = TriangulationImprovement::Automatic; ///< of both caps
+  double matchTolerance = 1e-6;
+  bool singlePrecision = false; ///< round the points to float before they are judged
+  bool ensureValid = false;     ///< untangle what is inverted, see untangleQuads()
+  bool improveQuality = false;  ///< see polishQuads()
+};
+
+struct SweepProjection
+{
+  ProjectedQuads quads;
+  QuadQuality quality;           ///< of the quads on the target surface
+  FixedQuadCorners fixedCorners; ///< of those quads: what their boundary nodes alone decide
+  Index invertedBefore = 0;      ///< quads that the projection itself inverted
+  int rounds = 0;                ///< descents of untangling and polishing
+  /// The maps that were used; empty for AffineLeastSquares.
+  std::optional<CapDisk> source;
+  std::optional<CapDisk> target;
+  /// For PaperHarmonic with one hole.
+  std::optional<NitscheCondition> nitsche;
+  /// See MatchedLoops; empty with linking sides.
+  std::vector<double> startFractions;
+  std::vector<std::string> doubts;
+  /// Source quads' loops off the source surface, and last ring off the target surface; none where
+  /// the disk maps were given.
+  BoundaryMismatch sourceMismatch;
+  BoundaryMismatch targetMismatch;
+};
+
+/// Two caps and how their loops were matched.
+struct LinkedDisks : CommonDisks
+{
+  /// See MatchedLoops; empty with linking sides.
+  std::vector<double> startFractions;
+  std::vector<std::string> doubts;
+  BoundaryMismatch mismatch; ///< of the linking sides and the (first) cap
+};
+
+/// @throw InvalidInput, SolverFailure, Aborted.
+SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& progress = {});
+
+/**
+ * Maps a cap together with its partner; `first` of the result is the cap, `second` the partner.
+ *
+ * @param linking structured quads between the two; without them loops are matched by shape.
+ */
+LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
+  const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
+  const Progress& progress = {},
+  TriangulationImprovement improvement = TriangulationImprovement::Off);
+
+/// The quads cut in two along their shorter diagonals.
+Triangles halveQuads(const PointsRef& points, const QuadsRef& quads);
+}
+
+#endif

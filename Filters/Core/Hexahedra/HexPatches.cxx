@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Hexahedra/HexPatches.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace hexsweep
+{
+HexesAtNodes::HexesAtNodes(const HexesRef& hexes, Index numberOfPoints)
+  : Begin(static_cast<std::size_t>(numberOfPoints) + 1, 0)
+  , Cells(static_cast<std::size_t>(hexes.size()))
+{
+  for (Index h = 0; h < hexes.rows(); ++h)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      ++this->Begin[static_cast<std::size_t>(hexes(h, i)) + 1];
+    }
+  }
+  for (std::size_t i = 1; i < this->Begin.size(); ++i)
+  {
+    this->Begin[i] += this->Begin[i - 1];
+  }
+  std::vector<Index> next(this->Begin.begin(), this->Begin.end() - 1);
+  for (Index h = 0; h < hexes.rows(); ++h)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      this->Cells[static_cast<std::size_t>(next[static_cast<std::size_t>(hexes(h, i))]++)] = h;
+    }
+  }
+}
+
+namespace
+{
+using CellSet = std::unordered_set<Index>;
+
+CellSet withRings(
+  const HexesRef& hexes, const HexesAtNodes& atNodes, const std::vector<Index>& cells, int rings)
+{
+  CellSet all(cells.begin(), cells.end());
+  std::vector<Index> front = cells;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    std::vector<Index> next;
+    for (const Index h : front)
+    {
+      for (int i = 0; i < 8; ++i)
+      {
+        for (const Index other : atNodes[hexes(h, i)])
+        {
+          if (all.insert(other).second)
+          {
+            next.push_back(other);
+          }
+        }
+      }
+    }
+    front = std::move(next);
+  }
+  return all;
+}
+
+HexPatch patchOf(std::vector<Index> cells, const HexesRef& hexes, const HexesAtNodes& atNodes,
+  const std::vector<bool>& fixed)
+{
+  HexPatch patch;
+  std::sort(cells.begin(), cells.end());
+  patch.cells = std::move(cells);
+  for (const Index h : patch.cells)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      patch.nodes.push_back(hexes(h, i));
+    }
+  }
+  std::sort(patch.nodes.begin(), patch.nodes.end());
+  patch.nodes.erase(std::unique(patch.nodes.begin(), patch.nodes.end()), patch.nodes.end());
+  std::unordered_map<Index, Index> number;
+  for (std::size_t i = 0; i < patch.nodes.size(); ++i)
+  {
+    number[patch.nodes[i]] = static_cast<Index>(i);
+  }
+  patch.hexes.resize(static_cast<Index>(patch.cells.size()), 8);
+  for (std::size_t c = 0; c < patch.cells.size(); ++c)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      patch.hexes(static_cast<Index>(c), i) = number[hexes(patch.cells[c], i)];
+    }
+  }
+  for (const Index node : patch.nodes)
+  {
+    const auto around = atNodes[node];
+    patch.free.push_back(!fixed[static_cast<std::size_t>(node)] &&
+      std::all_of(around.begin(), around.end(),
+        [&](Index h) { return std::binary_search(patch.cells.begin(), patch.cells.end(), h); }));
+  }
+  return patch;
+}
+}
+
+std::vector<HexPatch> hexPatches(const HexesRef& hexes, const HexesAtNodes& atNodes,
+  const std::vector<Index>& cells, int rings, const std::vector<bool>& fixed)
+{
+  CellSet left = withRings(hexes, atNodes, cells, rings);
+  std::vector<HexPatch> patches;
+  // In the order of the cells: what comes out does not depend on how a set is stored.
+  for (const Index start : cells)
+  {
+    if (left.erase(start) == 0)
+    {
+      continue;
+    }
+    std::vector<Index> piece{ start };
+    for (std::size_t next = 0; next < piece.size(); ++next)
+    {
+      for (int i = 0; i < 8; ++i)
+      {
+        for (const Index other : atNodes[hexes(piece[next], i)])
+        {
+          if (left.erase(other) > 0)
+          {
+            piece.push_back(other);
+          }
+        }
+      }
+    }
+    patches.push_back(patchOf(std::move(piece), hexes, atNodes, fixed));
+  }
+  return patches;
+}
+}

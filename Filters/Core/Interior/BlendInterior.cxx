@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Interior/BlendInterior.h"
+
+#include "Core/Common/Errors.h"
+#include "Core/Common/StoppablePieces.h"
+#include "Core/Solvers/DirichletSolver.h"
+#include "Core/Solvers/PrismSolver.h"
+#include "Core/Solvers/QuadLaplacian.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+/// Height of a layer of the prism in which bulges fade, over the mean height of a layer.
+constexpr double FadingHeight = 0.25;
+/// What a cap has on top of the harmonic surface in its loops.
+Points bulgeOf(const PointsRef& points, const QuadLaplacian& laplacian, const SweepBoundary& cage)
+{
+  std::vector<bool> fixed(static_cast<std::size_t>(points.rows()), false);
+  for (const Index i : cage.nodes)
+  {
+    fixed[static_cast<std::size_t>(i)] = true;
+  }
+  // About its middle: far from the origin the solver's rounding would be larger than the cap.
+  const Eigen::RowVector3d middle = points.colwise().mean();
+  const Points centered = points.rowwise() - middle;
+  return centered - DirichletSolver(laplacian.stiffness, fixed, centered).solve(centered);
+}
+
+/// The part of two bulges that they have in common: b where a = b, the shorter where they are
+/// parallel, nothing where they are opposite.
+Points commonBulge(const Points& a, const Points& b)
+{
+  Points common = Points::Zero(a.rows(), 3);
+  for (Index i = 0; i < a.rows(); ++i)
+  {
+    const double dot = a.row(i).dot(b.row(i));
+    if (dot > 0.0)
+    {
+      const double lengths[2] = { a.row(i).norm(), b.row(i).norm() };
+      common.row(i) = (a.row(i) + b.row(i)) *
+        (dot / (std::max(lengths[0], lengths[1]) * (lengths[0] + lengths[1])));
+    }
+  }
+  return common;
+}
+
+/// What the bulges of both caps do not share, fading into the volume from either end.
+struct FadingBulges
+{
+  Points fromSource; ///< (L + 1) n x 3, in the frame of the source
+  Points fromTarget; ///< in that of the target
+};
+
+FadingBulges fadingBulges(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const QuadLaplacian& onTarget, const SweepBoundary& boundary,
+  const Progress& progress, const ParallelFor& parallelFor)
+{
+  const Index n = sourcePoints.rows();
+  const Index layers = boundary.numberOfLayers();
+  const Points onSourceCap = bulgeOf(sourcePoints, quadLaplacian(sourcePoints, quads), boundary);
+  const Points onTargetCap = bulgeOf(targetPoints, onTarget, boundary);
+  const auto carried = [&](const Points& bulge, Index from, Index to) -> Points {
+    return bulge * fitLayerMap(boundary, from, to).linear.transpose();
+  };
+  FadingBulges fading{ Points::Zero((layers + 1) * n, 3), Points::Zero((layers + 1) * n, 3) };
+  fading.fromSource.topRows(n) =
+    onSourceCap - commonBulge(onSourceCap, carried(onTargetCap, layers, 0));
+  fading.fromTarget.bottomRows(n) =
+    onTargetCap - commonBulge(onTargetCap, carried(onSourceCap, 0, layers));
+  const PrismSolver prism(onTarget, layers,
+    FadingHeight * boundary.meanColumnLength / static_cast<double>(layers), boundary.nodes);
+  fading.fromSource =
+    prism.extend(std::move(fading.fromSource), progressPart(progress, 0.0, 0.5), parallelFor);
+  fading.fromTarget =
+    prism.extend(std::move(fading.fromTarget), progressPart(progress, 0.5, 1.0), parallelFor);
+  return fading;
+}
+
+enum class CapBulges
+{
+  Blended,
+  Fading
+};
+
+Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const QuadsRef& quads,
+  const SweepBoundary& boundary, CapBulges bulges, const Progress& progress,
+  const ParallelFor& parallelFor)
+{
+  const Index n = sourcePoints.rows();
+  const Index layers = boundary.numberOfLayers();
+  reportProgress(progress, 0.0);
+  const QuadLaplacian onTarget = quadLaplacian(targetPoints, quads);
+  Points source = sourcePoints;
+  Points target = targetPoints;
+  FadingBulges fading;
+  const bool fade = bulges == CapBulges::Fading;
+  const double fadeEnd = fade ? 0.55 : 0.0;
+  const double blendEnd = fadeEnd + 0.2 * (1.0 - fadeEnd);
+  if (fade)
+  {
+    fading = fadingBulges(sourcePoints, targetPoints, quads, onTarget, boundary,
+      progressPart(progress, 0.0, fadeEnd), parallelFor);
+    source -= fading.fromSource.topRows(n);
+    target -= fading.fromTarget.bottomRows(n);
+  }
+
+  // On the caps the blend is exact, so the correction is zero there.
+  Points swept((layers + 1) * n, 3);
+  Points correction((layers + 1) * n, 3);
+  const auto blendLayer = [&](Index k, Index) {
+    correction.middleRows(k * n, n).setZero();
+    if (k == 0 || k == layers)
+    {
+      return;
+    }
+    const double t = boundary.fractions[k];
+    const AffineMap fromSource = fitLayerMap(boundary, 0, k);
+    const AffineMap fromTarget = fitLayerMap(boundary, layers, k);
+    constexpr Index rowsAtOnce = 512; // so many stay in the cache
+    for (Index first = 0; first < n; first += rowsAtOnce)
+    {
+      const Index count = std::min(rowsAtOnce, n - first);
+      swept.middleRows(k * n + first, count) =
+        (1.0 - t) * fromSource.apply(source.middleRows(first, count)) +
+        t * fromTarget.apply(target.middleRows(first, count));
+    }
+    for (std::size_t j = 0; j < boundary.nodes.size(); ++j)
+    {
+      const Index row = k * n + boundary.nodes[j];
+      correction.row(row) = boundary.rings[k].row(static_cast<Index>(j)) - swept.row(row);
+    }
+    if (fade)
+    {
+      swept.middleRows(k * n, n) +=
+        fading.fromSource.middleRows(k * n, n) * fromSource.linear.transpose() +
+        fading.fromTarget.middleRows(k * n, n) * fromTarget.linear.transpose();
+    }
+  };
+  forStoppablePieces(
+    parallelFor, progressPart(progress, fadeEnd, blendEnd), layers + 1, 1, blendLayer);
+  fading = {};
+  const double layerHeight = boundary.meanColumnLength / static_cast<double>(layers);
+  correction =
+    PrismSolver(onTarget, layers, layerHeight, boundary.nodes)
+      .extend(std::move(correction), progressPart(progress, blendEnd, 0.95), parallelFor);
+  forStoppablePieces(
+    parallelFor, progressPart(progress, 0.95, 1.0), layers - 1, 1, [&](Index inner, Index) {
+      const Index begin = (inner + 1) * n;
+      swept.middleRows(begin, n) += correction.middleRows(begin, n);
+    });
+  reportProgress(progress, 1.0);
+  setGivenPoints(sourcePoints, targetPoints, quads, boundary, swept);
+  return swept;
+}
+}
+
+Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
+{
+  return blendInterior(sourcePoints, targetPoints, quads, boundary, progress, {});
+}
+
+Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor)
+{
+  return blend(
+    sourcePoints, targetPoints, quads, boundary, CapBulges::Blended, progress, parallelFor);
+}
+
+Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
+{
+  return fadingBlendInterior(sourcePoints, targetPoints, quads, boundary, progress, {});
+}
+
+Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
+  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
+  const ParallelFor& parallelFor)
+{
+  return blend(
+    sourcePoints, targetPoints, quads, boundary, CapBulges::Fading, progress, parallelFor);
+}
+}

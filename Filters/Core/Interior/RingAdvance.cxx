@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Interior/RingAdvance.h"
+
+#include "Core/Geometry/AffineMap.h"
+#include "Core/Geometry/ClosedPolygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hexsweep
+{
+double backwardShare(const SweepBoundary& boundary)
+{
+  double forward = 0.0;
+  double backward = 0.0;
+  Eigen::RowVector3d lastCenter;
+  Eigen::RowVector3d lastNormal;
+  for (std::size_t k = 0; k < boundary.rings.size(); ++k)
+  {
+    const Points ring = boundary.rings[k].middleRows(boundary.outerBegin, boundary.outerSize);
+    const Eigen::RowVector3d center = ClosedPolygon(ring).center();
+    const Eigen::RowVector3d normal = areaVector(ring).normalized();
+    if (k > 0)
+    {
+      const double step = (center - lastCenter).dot(lastNormal + normal);
+      (step > 0.0 ? forward : backward) += std::abs(step);
+    }
+    lastCenter = center;
+    lastNormal = normal;
+  }
+  const double less = std::min(forward, backward);
+  const double more = std::max(forward, backward);
+  return more > 0.0 ? less / more : std::numeric_limits<double>::infinity();
+}
+}

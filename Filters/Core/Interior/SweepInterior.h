@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief From a cage to hexahedra that are all proved valid: methods, untangling, polish.
+ */
+#ifndef hexsweep_SweepInterior_h
+#define hexsweep_SweepInterior_h
+
+#include "Core/Common/ParallelFor.h"
+#include "Core/Hexahedra/FixedCorners.h"
+#include "Core/Hexahedra/HexQuality.h"
+#include "Core/Hexahedra/HexUntangling.h"
+#include "Core/Interior/SweepBoundary.h"
+
+#include <string>
+
+namespace hexsweep
+{
+struct SweepCage
+{
+  Points source; ///< n x 3
+  Points target; ///< n x 3, same order
+  Quads quads;   ///< of both
+  SweepBoundary boundary;
+};
+
+/// A method: fills (L + 1) n x 3, cap and ring nodes as given.
+using InteriorMethod = std::function<Points(const SweepCage&, const Progress&)>;
+
+/// A start of the cascade.
+struct InteriorStart
+{
+  std::string name;
+  InteriorMethod method;
+};
+
+struct InteriorOptions
+{
+  /// Untangle locally what is not valid.
+  bool ensureValid = true;
+  /// Polish what is valid: this often round the mesh.
+  int polishingRounds = 6;
+  /// That of the result: rounded at the end, and untangled again where that made hexahedra bad.
+  Precision precision = Precision::Double;
+  ParallelFor parallelFor = {};
+};
+
+/// What one step of the cascade did to the mesh that it was given.
+struct InteriorStep
+{
+  std::string name;
+  /// Hexahedra that are not Certified after it; 0 where nobody looked.
+  Index notCertified;
+  /// How many fewer they are than before the step; 0 for a start.
+  Index mended;
+  double seconds;
+};
+
+struct SweepInterior
+{
+  /// (L + 1) n x 3, row k n + i is source point i on layer k.
+  Points points;
+  /// Which way round the hexahedra were judged, see sourceIsBottom().
+  bool sourceIsBottom;
+  /// The start that was kept and what followed, e.g. "Blend + untangling + polish".
+  std::string method;
+  std::vector<InteriorStep> steps;
+  /// Of the hexahedra of sweptHexes(). Not looked for where nothing was to be untangled or
+  /// polished.
+  FixedCorners fixed;
+  /// How many more hexahedra are not Certified than before the coordinates were rounded.
+  Index lostByRounding = 0;
+};
+
+/**
+ * Tries the starts in order and stops at the first that is certified, by itself or after local
+ * untangling (untangleHexes()); otherwise keeps the best: fewest hexahedra that are not Certified,
+ * then the highest least scaled Jacobian. Then polishes (polishHexes()), which never lowers the
+ * minimum nor loses a certificate, and is kept unless the mean falls. What is not certified even
+ * then is untangled and polished again, as long as that mends something, twice at the most. No step
+ * leaves a worse mesh than it was given.
+ *
+ * Hexahedra that caps and linking sides alone make bad (SweepInterior::fixed) do not keep the
+ * cascade going.
+ *
+ * @param starts at least one. Without ensureValid the first is returned as it is, and polished.
+ * @throw what the first start throws; later ones that fail are passed over.
+ */
+SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorStart>& starts,
+  const InteriorOptions& options, const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Linking/LinkingSideColumns.h"
+
+#include "Core/Common/Errors.h"
+#include "Core/Common/Predicates.h"
+#include "Core/Geometry/BoundarySearch.h"
+#include "Core/Geometry/ClosedPolygon.h"
+#include "Core/Geometry/LoopGeometry.h"
+#include "Core/Linking/RingParameter.h"
+#include "Core/Surfaces/SurfaceArea.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hexsweep
+{
+namespace
+{
+constexpr Index Samples = 64;            // of a column's length
+constexpr double TrianglesOfRing = 32.0; // a side of n columns is cut as finely as n n / this...
+constexpr double LeastTriangles = 500.0; // ... triangles would be, but not coarser than this
+
+double longestEdge(const SideTube& side, Index columns)
+{
+  const double n = static_cast<double>(columns);
+  return std::sqrt(
+    2.0 * surfaceArea(side.surface) / std::max(LeastTriangles, n * n / TrianglesOfRing));
+}
+
+/// Whether the ring runs the way the loop does.
+bool runsAlong(const PointsRef& ring, const PointsRef& points, const Loop& loop)
+{
+  const BoundarySearch search(points, { loop });
+  const double nodes = static_cast<double>(loop.size());
+  double sum = 0.0;
+  double last = search.closest(ring.row(ring.rows() - 1)).position;
+  for (Index i = 0; i < ring.rows(); ++i)
+  {
+    const double position = search.closest(ring.row(i)).position;
+    sum += std::remainder(position - last, nodes);
+    last = position;
+  }
+  return sum > 0.0;
+}
+
+/// Value at a place (edge + fraction) of a loop whose values rise by 1 a round.
+double valueAt(const std::vector<double>& values, double place)
+{
+  const std::size_t n = values.size();
+  const std::size_t edge = static_cast<std::size_t>(std::floor(place)) % n;
+  const double fraction = place - std::floor(place);
+  const double next = edge + 1 < n ? values[edge + 1] : values[0] + 1.0;
+  return fraction == 0.0 ? values[edge] : values[edge] + fraction * (next - values[edge]);
+}
+
+double wrapped(double v)
+{
+  return v - std::floor(v);
+}
+}
+
+LinkingSideColumns::LinkingSideColumns(
+  const SideTube& side, const PointsRef& ring, double matchTolerance)
+  : Strip(mapSideToStrip(side, longestEdge(side, ring.rows())))
+{
+  this->Search.emplace(this->Strip);
+  this->placeRing(ring, matchTolerance);
+  this->Meshed = tracePatches(side.patches, this->Ring,
+    loopPoints(this->Strip.surface.points, this->Strip.target), matchTolerance);
+  this->findEnds();
+  this->measure();
+}
+
+void LinkingSideColumns::placeRing(const PointsRef& ring, double matchTolerance)
+{
+  const Index n = ring.rows();
+  this->Reversed = !runsAlong(ring, this->Strip.surface.points, this->Strip.source);
+  Points turned = ring;
+  if (this->Reversed)
+  {
+    turned = ring.colwise().reverse();
+  }
+  const std::vector<double> places = ringParameters(
+    turned, loopPoints(this->Strip.surface.points, this->Strip.source), matchTolerance);
+  std::vector<double> v;
+  for (const double place : places)
+  {
+    v.push_back(wrapped(valueAt(this->Strip.sourceV, place)));
+  }
+  this->Begin = static_cast<std::size_t>(std::min_element(v.begin(), v.end()) - v.begin());
+  std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(this->Begin), v.end());
+  this->Source = std::move(v);
+  this->Ring.resize(n, 3);
+  for (Index j = 0; j < n; ++j)
+  {
+    this->Ring.row(j) = turned.row((j + static_cast<Index>(this->Begin)) % n);
+  }
+}
+
+void LinkingSideColumns::findEnds()
+{
+  const std::size_t n = this->Source.size();
+  this->Edge.assign(n, -1);
+  std::vector<std::pair<std::size_t, double>> anchors; // column, v of its end
+  for (std::size_t c = 0; c < this->Strip.columns.size(); ++c)
+  {
+    const StripColumn& column = this->Strip.columns[c];
+    const auto found = std::find(this->Source.begin(), this->Source.end(), column.v);
+    if (found == this->Source.end())
+    {
+      this->LostEdges.emplace_back(this->Strip.surface.points.row(column.points.front()));
+      continue;
+    }
+    const std::size_t j = static_cast<std::size_t>(found - this->Source.begin());
+    this->Edge[j] = static_cast<Index>(c);
+    anchors.emplace_back(j, column.v);
+  }
+  this->Target = this->Source;
+  for (double& end : this->Target)
+  {
+    end += this->Turn;
+  }
+  this->anchorCorners(anchors);
+  if (anchors.empty())
+  {
+    return;
+  }
+  const std::vector<double> begins = this->Source;
+  for (std::size_t a = 0; a < anchors.size(); ++a)
+  {
+    const auto [j0, v0] = anchors[a];
+    const bool wraps = a + 1 == anchors.size();
+    const auto [j1, v1] = anchors[wraps ? 0 : a + 1];
+    const double last = wraps ? v1 + 1.0 : v1;
+    const double lastBegin = wraps ? begins[j1] + 1.0 : begins[j1];
+    for (std::size_t j = j0; j < (wraps ? j1 + n : j1); ++j)
+    {
+      const double begin = begins[j % n] + (j >= n ? 1.0 : 0.0);
+      const double along = (begin - begins[j0]) / (lastBegin - begins[j0]);
+      // An anchor itself must come out exactly.
+      this->Target[j % n] = (j == j0 ? v0 : v0 + along * (last - v0)) - (j >= n ? 1.0 : 0.0);
+    }
+  }
+}
+
+/// Gives each corner of the target loop the nearest column that has no end of its own yet.
+void LinkingSideColumns::anchorCorners(std::vector<std::pair<std::size_t, double>>& anchors)
+{
+  const std::size_t n = this->Source.size();
+  const ClosedPolygon loop(loopPoints(this->Strip.surface.points, this->Strip.target));
+  for (const Index corner : loopCorners(loop))
+  {
+    const double v = this->Strip.targetV[static_cast<std::size_t>(corner)];
+    const auto same = std::find_if(anchors.begin(), anchors.end(),
+      [&](const auto& anchor) { return wrapped(anchor.second) == wrapped(v); });
+    if (same != anchors.end())
+    {
+      continue;
+    }
+    // The anchors next to it: columns between them, in their order, are free.
+    std::size_t best = n;
+    double least = std::numeric_limits<double>::infinity();
+    double end = v;
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      const double offset = std::remainder(v - this->Target[j], 1.0);
+      const bool isFree = std::none_of(anchors.begin(), anchors.end(), [&](const auto& anchor) {
+        if (anchor.first == j)
+        {
+          return true;
+        }
+        // The ends must follow each other as the columns do.
+        const double columns = std::remainder(this->Source[j] - this->Source[anchor.first], 1.0);
+        const double ends = std::remainder(this->Target[j] + offset - anchor.second, 1.0);
+        return (columns > 0.0) != (ends > 0.0);
+      });
+      if (isFree && std::abs(offset) < least)
+      {
+        best = j;
+        least = std::abs(offset);
+        end = this->Target[j] + offset;
+      }
+    }
+    if (best == n)
+    {
+      this->LostCorners.emplace_back(loop.nodes().row(corner));
+      continue;
+    }
+    const auto place = std::lower_bound(anchors.begin(), anchors.end(),
+      std::make_pair(best, -std::numeric_limits<double>::infinity()));
+    anchors.emplace(place, best, end);
+  }
+}
+
+StripPlace LinkingSideColumns::inside(std::size_t column, double u) const
+{
+  return this->Search->at((1.0 - u) * this->Source[column] + u * this->Target[column], u);
+}
+
+Points LinkingSideColumns::nodesAt(const std::vector<Index>& columns, double u, double turn) const
+{
+  Points nodes(static_cast<Index>(columns.size()), 3);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    const auto j = static_cast<std::size_t>(columns[i]);
+    nodes.row(static_cast<Index>(i)) =
+      this->Search->at((1.0 - u) * this->Source[j] + u * this->Target[j] + turn, u).point;
+  }
+  return nodes;
+}
+
+void LinkingSideColumns::turnEnds(double turn)
+{
+  if (!this->isFree() || turn == 0.0)
+  {
+    return;
+  }
+  this->Turn += turn;
+  this->LostEdges.clear();
+  this->LostCorners.clear();
+  this->findEnds();
+  this->measure();
+}
+
+Eigen::RowVector3d LinkingSideColumns::onTargetLoop(double v) const
+{
+  const std::vector<double>& values = this->Strip.targetV;
+  const std::size_t n = values.size();
+  double turned = v - std::floor(v - values.front());
+  turned -= turned >= values.front() + 1.0 ? 1.0 : 0.0;
+  const std::size_t after = static_cast<std::size_t>(
+    std::upper_bound(values.begin(), values.end(), turned) - values.begin());
+  const std::size_t edge = after == 0 ? 0 : after - 1;
+  const double next = edge + 1 < n ? values[edge + 1] : values[0] + 1.0;
+  const double fraction =
+    std::min(1.0, std::max(0.0, (turned - values[edge]) / (next - values[edge])));
+  const Eigen::RowVector3d a = this->Strip.surface.points.row(this->Strip.target[edge]);
+  const Eigen::RowVector3d b = this->Strip.surface.points.row(this->Strip.target[(edge + 1) % n]);
+  // Where the place is a point of the loop to rounding, it is that point.
+  constexpr double Rounding = 1e-9;
+  return fraction < Rounding ? a : fraction > 1.0 - Rounding ? b : a + fraction * (b - a);
+}
+
+void LinkingSideColumns::measure()
+{
+  const std::size_t n = this->Source.size();
+  this->Reached.resize(static_cast<Index>(n), Samples + 1);
+  for (std::size_t j = 0; j < n; ++j)
+  {
+    const Index row = static_cast<Index>(j);
+    this->Reached(row, 0) = 0.0;
+    if (this->Edge[j] >= 0)
+    {
+      const StripColumn& column = this->Strip.columns[static_cast<std::size_t>(this->Edge[j])];
+      double length = 0.0;
+      for (std::size_t k = 1; k < column.points.size(); ++k)
+      {
+        length += (this->Strip.surface.points.row(column.points[k]) -
+          this->Strip.surface.points.row(column.points[k - 1]))
+                    .norm();
+      }
+      for (Index s = 1; s <= Samples; ++s)
+      {
+        this->Reached(row, s) = length * static_cast<double>(s) / static_cast<double>(Samples);
+      }
+      continue;
+    }
+    Eigen::RowVector3d last = this->Ring.row(row);
+    for (Index s = 1; s <= Samples; ++s)
+    {
+      const double u = static_cast<double>(s) / static_cast<double>(Samples);
+      const Eigen::RowVector3d here =
+        s == Samples ? this->onTargetLoop(this->Target[j]) : this->inside(j, u).point;
+      this->Reached(row, s) = this->Reached(row, s - 1) + (here - last).norm();
+      last = here;
+    }
+  }
+}
+
+double LinkingSideColumns::meanLength() const
+{
+  return this->Reached.col(Samples).mean();
+}
+
+Index LinkingSideColumns::keptEdges() const
+{
+  return static_cast<Index>(
+    std::count_if(this->Edge.begin(), this->Edge.end(), [](Index edge) { return edge >= 0; }));
+}
+
+double LinkingSideColumns::uAt(std::size_t column, double fraction) const
+{
+  const auto reached = this->Reached.row(static_cast<Index>(column));
+  const double length = fraction * reached[Samples];
+  Index low = 0;
+  Index high = Samples;
+  while (high - low > 1)
+  {
+    const Index middle = (low + high) / 2;
+    (reached[middle] <= length ? low : high) = middle;
+  }
+  const double step = reached[high] - reached[low];
+  const double along = step > 0.0 ? (length - reached[low]) / step : 0.0;
+  return (static_cast<double>(low) + std::min(1.0, along)) / static_cast<double>(Samples);
+}
+
+/// Those of a part that is meshed already, where the column bounds it; in between, linearly.
+std::vector<double> LinkingSideColumns::fractionsOf(
+  std::size_t column, const std::vector<double>& wanted) const
+{
+  if (this->Meshed.layers == 0)
+  {
+    return wanted;
+  }
+  const std::size_t n = this->Source.size();
+  const auto isHeld = [&](std::size_t j) {
+    return this->Edge[j] >= 0 || this->Meshed.columns[j].rows() > 0;
+  };
+  const auto held = [&](std::size_t j) {
+    const Points& nodes = this->Meshed.columns[j];
+    std::vector<double> fractions(1, 0.0);
+    for (Index k = 1; k < nodes.rows(); ++k)
+    {
+      fractions.push_back(fractions.back() + (nodes.row(k) - nodes.row(k - 1)).norm());
+    }
+    const double length = fractions.back();
+    for (double& fraction : fractions)
+    {
+      fraction /= length;
+    }
+    return nodes.rows() > 0 ? fractions : wanted;
+  };
+  std::size_t left = 0;
+  while (left < n && !isHeld((column + n - left) % n))
+  {
+    ++left;
+  }
+  if (left == n)
+  {
+    return wanted;
+  }
+  std::size_t right = 0;
+  while (!isHeld((column + right) % n))
+  {
+    ++right;
+  }
+  const std::vector<double> a = held((column + n - left) % n);
+  const std::vector<double> b = held((column + right) % n);
+  const double weight =
+    left == 0 ? 0.0 : static_cast<double>(left) / static_cast<double>(left + right);
+  std::vector<double> fractions;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    fractions.push_back((1.0 - weight) * a[k] + weight * b[k]);
+  }
+  return fractions;
+}
+
+SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) const
+{
+  const Index n = this->size();
+  const Index layers = static_cast<Index>(fractions.size()) - 1;
+  if (this->Meshed.layers > 1 && this->Meshed.layers != layers)
+  {
+    throw InvalidInput("the part of a linking side that is meshed already has " +
+      std::to_string(this->Meshed.layers) + " layers, and " + std::to_string(layers) +
+      " are asked for. Set the number of layers to " + std::to_string(this->Meshed.layers) + ".");
+  }
+  // Quads of one layer are how walls of an extrusion are given, rather than a mesh to keep.
+  const bool keepsPatches = this->Meshed.layers == layers;
+  Eigen::MatrixXd u(n, layers + 1);
+  for (Index j = 0; j < n; ++j)
+  {
+    const std::vector<double> own =
+      keepsPatches ? this->fractionsOf(static_cast<std::size_t>(j), fractions) : fractions;
+    for (Index k = 0; k <= layers; ++k)
+    {
+      u(j, k) = k == 0 ? 0.0
+        : k == layers  ? 1.0
+                       : this->uAt(static_cast<std::size_t>(j), own[static_cast<std::size_t>(k)]);
+    }
+  }
+  const auto planePlace = [&](Index j, Index k) -> Eigen::RowVector2d {
+    const std::size_t column = static_cast<std::size_t>(j % n);
+    const double turn = j >= n ? 1.0 : 0.0;
+    const double height = u(j % n, k);
+    return { (1.0 - height) * this->Source[column] + height * this->Target[column] + turn, height };
+  };
+  // Neighbouring columns of very different length can turn a quad over in the strip. Rings of one
+  // height never do: go towards them as far as it takes.
+  const auto isStraight = [&] {
+    for (Index j = 0; j < n; ++j)
+    {
+      for (Index k = 0; k < layers; ++k)
+      {
+        const Eigen::RowVector2d q[4] = { planePlace(j, k), planePlace(j + 1, k),
+          planePlace(j + 1, k + 1), planePlace(j, k + 1) };
+        for (int c = 0; c < 4; ++c)
+        {
+          if (orientation(q[c], q[(c + 1) % 4], q[(c + 3) % 4]) <= 0)
+          {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  };
+  const Eigen::MatrixXd byLength = u;
+  const Eigen::RowVectorXd mean = u.colwise().mean();
+  for (const double weight : { 0.25, 0.5, 0.75, 1.0 })
+  {
+    if (isStraight())
+    {
+      break;
+    }
+    u = (1.0 - weight) * byLength + weight * mean.replicate(n, 1);
+  }
+
+  SideTubeMesh result;
+  result.nodes.resize((layers + 1) * n, 3);
+  result.quadTriangle.resize(static_cast<std::size_t>(layers * n));
+  // Back to the order of the ring as it was given.
+  const auto given = [&](Index j) {
+    const Index place = (j + static_cast<Index>(this->Begin)) % n;
+    return this->Reversed ? n - 1 - place : place;
+  };
+  for (Index j = 0; j < n; ++j)
+  {
+    const std::size_t column = static_cast<std::size_t>(j);
+    for (Index k = 0; k <= layers; ++k)
+    {
+      auto node = result.nodes.row(k * n + given(j));
+      if (k == 0)
+      {
+        node = this->Ring.row(j);
+      }
+      else if (keepsPatches && this->Meshed.columns[column].rows() > 0)
+      {
+        node = this->Meshed.columns[column].row(k);
+      }
+      else if (k == layers)
+      {
+        node = this->onTargetLoop(this->Target[column]);
+      }
+      else if (this->Edge[column] >= 0)
+      {
+        const StripColumn& edge = this->Strip.columns[static_cast<std::size_t>(this->Edge[column])];
+        const std::size_t after = static_cast<std::size_t>(
+          std::upper_bound(edge.u.begin(), edge.u.end() - 1, u(j, k)) - edge.u.begin());
+        const double along = (u(j, k) - edge.u[after - 1]) / (edge.u[after] - edge.u[after - 1]);
+        const Eigen::RowVector3d a = this->Strip.surface.points.row(edge.points[after - 1]);
+        node = a + along * (this->Strip.surface.points.row(edge.points[after]) - a);
+      }
+      else
+      {
+        node = this->inside(column, u(j, k)).point;
+      }
+    }
+    const Index next = (j + 1) % n;
+    // The quad between two columns goes by the one that comes first in the given order.
+    const Index quad = this->Reversed ? given(next) : given(j);
+    for (Index k = 0; k < layers; ++k)
+    {
+      const Eigen::RowVector2d middle = 0.25 *
+        (planePlace(j, k) + planePlace(j + 1, k) + planePlace(j + 1, k + 1) + planePlace(j, k + 1));
+      const Index triangle = this->Search->at(middle[0], middle[1]).triangle;
+      result.quadTriangle[static_cast<std::size_t>(k * n + quad)] =
+        this->Strip.triangleOrigin[static_cast<std::size_t>(triangle)];
+    }
+  }
+  return result;
+}
+}

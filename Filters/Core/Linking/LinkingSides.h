@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief All linking sides of a sweep, meshed with structured quads (see SideTubeMesh.h).
+ */
+#ifndef hexsweep_LinkingSides_h
+#define hexsweep_LinkingSides_h
+
+#include "Core/Linking/LinkingSideColumns.h"
+
+namespace hexsweep
+{
+/// How many layers there are to be, and how thick.
+struct LayerRequest
+{
+  Index layers = 10;
+  double size = 0.0;             ///< wanted mean thickness; not 0: counts instead of `layers`
+  double growth = 1.0;           ///< see layerFractions()
+  bool bothEnds = false;         ///< see layerFractions()
+  std::vector<double> positions; ///< not empty: counts instead of all of these
+};
+
+struct LinkingMesh
+{
+  /// Side after side (loop after loop of the quads), node k n + j of each is node k of column j;
+  /// quad k n + j is that between columns j and j + 1, rings k and k + 1.
+  QuadMesh mesh;
+  std::vector<Index> quadSide;     ///< row of the given sides
+  std::vector<Index> quadTriangle; ///< row of that side's triangles below the quad's middle
+  std::vector<Index> quadLayer;
+  std::vector<Index> nodeRing; ///< 0 ... layers
+  std::vector<Index>
+    sourcePoint; ///< of each node: the point of the quads that its column begins at
+  Index layers = 0;
+  double meanColumnLength = 0.0;
+  Index keptEdges = 0;                         ///< columns that are CAD edges
+  std::vector<Eigen::RowVector3d> lostEdges;   ///< see LinkingSideColumns
+  std::vector<Eigen::RowVector3d> lostCorners; ///< see LinkingSideColumns
+  std::vector<std::string> refusedPatches;     ///< see LinkingSideColumns
+  Index flipped = 0;                           ///< see LinkingSideColumns
+};
+
+/// The surface of all linking sides, as it is given.
+struct LinkingSurface
+{
+  TriangleMesh mesh;          ///< any orientation
+  std::vector<Index> faceIds; ///< one a triangle, or empty
+  Quads quads{ 0, 4 };        ///< cells that were quads before they were cut into triangles
+  /// Row of `quads` that each triangle is half of, -1: none; or empty.
+  std::vector<Index> quadOfTriangle;
+};
+
+/**
+ * Splits a surface into its pieces, each of which is a linking side. Faces that consist of quads
+ * alone become patches (see SideTube).
+ *
+ * @param quadPoints, quadLoops of the source quads: the boundary of a piece that is nearest to one
+ *        of them is its source loop.
+ * @throw InvalidInput naming the piece that is no tube, or when pieces and loops do not pair up.
+ */
+std::vector<SideTube> splitLinkingSides(
+  const LinkingSurface& surface, const PointsRef& quadPoints, const std::vector<Loop>& quadLoops);
+
+/**
+ * @param quadPoints, quadLoops boundary of the source quads, see checkSurface().
+ * @param sides one a loop, in any order.
+ * @param matchTolerance see LinkingSideColumns.
+ * @throw InvalidInput when sides and loops do not pair up, the layers asked for are none (see
+ *        LayerSpacing.h), or a side cannot be meshed; SolverFailure; Aborted.
+ */
+LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
+  const std::vector<SideTube>& sides, const LayerRequest& request, double matchTolerance = 1e-6,
+  const Progress& progress = {});
+}
+
+#endif

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-#include "PrismKernelsBody.h"
-
-namespace hexsweep
-{
-extern const PrismKernels prismKernelsBaseline;
-const PrismKernels prismKernelsBaseline = makeKernels("baseline");
-}

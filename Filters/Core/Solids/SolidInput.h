@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Triangles from a file, made a checked and oriented SolidSurface.
+ */
+#ifndef hexsweep_SolidInput_h
+#define hexsweep_SolidInput_h
+
+#include "Core/Solids/SolidSurface.h"
+
+namespace hexsweep
+{
+/// Triangles as they come from a file.
+struct SolidInput
+{
+  Points points;       ///< all points of the input, used or not
+  Triangles triangles; ///< any orientation
+  /// Face that each triangle is part of; empty: faces are found by feature angle.
+  std::vector<Index> faceIds;
+  /// Input cell that each triangle is part of; empty: the triangle's own row.
+  std::vector<Index> cellIds;
+};
+
+struct SolidOptions
+{
+  /// Points on open edges that are nearer than this are one; relative to the local edge length, in
+  /// [0, 0.5).
+  double matchTolerance = 1e-6;
+  /// Radians, in (0, pi): neighbours whose normals differ by less are in one face. Only looked at
+  /// where there are no face ids.
+  double featureAngle = Pi / 6.0;
+};
+
+/**
+ * Merges coincident points, leaves out collapsed triangles, turns the others outward and checks
+ * that they bound a solid.
+ *
+ * Points are merged along open edges and edges without length only, so that a solid that touches
+ * itself stays as it is.
+ * Costs O(n log n).
+ *
+ * @throw InvalidInput: no triangles; id lists of the wrong length; a point that does not exist or
+ *        is not finite; a triangle without area; an edge of one triangle (open solid) or more than
+ *        two; triangles that meet in a point only; a surface that cannot be oriented, encloses
+ *        nothing or has several shells; a feature angle that leaves one face only.
+ */
+SolidSurface makeSolidSurface(const SolidInput& input, const SolidOptions& options = {});
+}
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/EdgeHalving.h"
+
+#include "Core/Surfaces/HalfEdgeTriangles.h"
+
+#include <queue>
+#include <tuple>
+
+namespace hexsweep
+{
+namespace
+{
+class Halving
+{
+public:
+  explicit Halving(const TriangleMesh& mesh)
+    : Connectivity(mesh.triangles)
+  {
+    for (Index i = 0; i < mesh.points.rows(); ++i)
+    {
+      this->Positions.emplace_back(mesh.points.row(i));
+    }
+    for (Index t = 0; t < mesh.triangles.rows(); ++t)
+    {
+      this->Origin.push_back(t);
+    }
+  }
+
+  const HalfEdgeTriangles& connectivity() const { return this->Connectivity; }
+
+  double length(Index half) const
+  {
+    return (this->at(this->Connectivity.to(half)) - this->at(this->Connectivity.from(half))).norm();
+  }
+
+  /// Halves an edge. @return the number of half-edges before: later ones are new.
+  Index halve(Index half)
+  {
+    const Index before = this->Connectivity.numberOfHalfEdges();
+    const Index twin = this->Connectivity.twin(half);
+    const Eigen::RowVector3d middle =
+      0.5 * (this->at(this->Connectivity.from(half)) + this->at(this->Connectivity.to(half)));
+    const Index vertex = static_cast<Index>(this->Positions.size());
+    this->Positions.push_back(middle);
+    this->Connectivity.splitEdge(half, vertex);
+    this->Origin.push_back(this->Origin[static_cast<std::size_t>(half / 3)]);
+    if (twin >= 0)
+    {
+      this->Origin.push_back(this->Origin[static_cast<std::size_t>(twin / 3)]);
+    }
+    return before;
+  }
+
+  HalvedSurface result() const
+  {
+    HalvedSurface result;
+    result.mesh.points.resize(static_cast<Index>(this->Positions.size()), 3);
+    for (std::size_t i = 0; i < this->Positions.size(); ++i)
+    {
+      result.mesh.points.row(static_cast<Index>(i)) = this->Positions[i];
+    }
+    result.mesh.triangles = this->Connectivity.triangles();
+    result.triangleOrigin = this->Origin;
+    return result;
+  }
+
+private:
+  const Eigen::RowVector3d& at(Index i) const
+  {
+    return this->Positions[static_cast<std::size_t>(i)];
+  }
+
+  HalfEdgeTriangles Connectivity;
+  std::vector<Eigen::RowVector3d> Positions;
+  std::vector<Index> Origin;
+};
+}
+
+HalvedSurface halveLongEdges(const TriangleMesh& mesh, double longest)
+{
+  Halving halving(mesh);
+  const HalfEdgeTriangles& edges = halving.connectivity();
+  // Longest first; of equal ones that between the lowest points.
+  using Entry = std::tuple<double, Index, Index, Index>;
+  std::priority_queue<Entry> open;
+  const auto push = [&](Index half) {
+    const Index twin = edges.twin(half);
+    const double length = halving.length(half);
+    if (length > longest && (twin < 0 || half < twin))
+    {
+      open.emplace(length, -edges.from(half), -edges.to(half), half);
+    }
+  };
+  for (Index half = 0; half < edges.numberOfHalfEdges(); ++half)
+  {
+    push(half);
+  }
+  while (!open.empty())
+  {
+    const auto [length, from, to, half] = open.top();
+    open.pop();
+    if (edges.from(half) != -from || edges.to(half) != -to)
+    {
+      continue; // cut since
+    }
+    const Index twin = edges.twin(half);
+    const Index before = halving.halve(half);
+    for (const Index side : { half, twin })
+    {
+      for (Index h = side < 0 ? 3 : 0; h < 3; ++h)
+      {
+        push(side / 3 * 3 + h);
+        if (const Index other = edges.twin(side / 3 * 3 + h); other >= 0)
+        {
+          push(other);
+        }
+      }
+    }
+    for (Index h = before; h < edges.numberOfHalfEdges(); ++h)
+    {
+      push(h);
+      if (const Index other = edges.twin(h); other >= 0)
+      {
+        push(other);
+      }
+    }
+  }
+  return halving.result();
+}
+
+HalvedSurface halveChords(
+  const TriangleMesh& mesh, const std::function<bool(Index from, Index to)>& isChord)
+{
+  Halving halving(mesh);
+  const HalfEdgeTriangles& edges = halving.connectivity();
+  const Index points = mesh.points.rows();
+  for (Index half = 0; half < edges.numberOfHalfEdges(); ++half)
+  {
+    const Index twin = edges.twin(half);
+    const Index from = edges.from(half);
+    const Index to = edges.to(half);
+    if (twin >= 0 && from < points && to < points && isChord(from, to))
+    {
+      halving.halve(half);
+    }
+  }
+  return halving.result();
+}
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Halves the long edges of a triangulation without changing its shape.
+ */
+#ifndef hexsweep_EdgeHalving_h
+#define hexsweep_EdgeHalving_h
+
+#include "Core/Common/Mesh.h"
+
+namespace hexsweep
+{
+struct HalvedSurface
+{
+  TriangleMesh mesh;                 ///< original points first
+  std::vector<Index> triangleOrigin; ///< row of the given mesh that each triangle is part of
+};
+
+/**
+ * Halves edges, the longest first, until none is longer than `longest` (M.-C. Rivara, "Algorithms
+ * for refining triangular grids suitable for adaptive and multigrid techniques", IJNME 20, 1984:
+ * cutting the longest edge first keeps angles from getting worse).
+ *
+ * @param mesh    an oriented 2-manifold, see checkSurface().
+ * @param longest > 0.
+ */
+HalvedSurface halveLongEdges(const TriangleMesh& mesh, double longest);
+
+/**
+ * Halves the edges for which isChord(from, to) is true; once each, so that a new edge between two
+ * old points is not looked at again.
+ */
+HalvedSurface halveChords(
+  const TriangleMesh& mesh, const std::function<bool(Index from, Index to)>& isChord);
+}
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/FlatFlips.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+/// Sums of two cotangents this small, relative to their size, are rounding.
+constexpr double RelativeRounding = 1e-10;
+
+/// Distance of four corners from one plane that counts as none, over the size of the cap.
+constexpr double RelativeFlatness = 1e-13;
+
+/// Termination is proved for exact numbers only.
+constexpr Index GreatestFlipsPerHalfEdge = 1000;
+}
+
+FlatFlips::FlatFlips(const TriangleMesh& mesh)
+  : Connectivity(mesh.triangles)
+{
+  for (Index i = 0; i < mesh.points.rows(); ++i)
+  {
+    this->Positions.emplace_back(mesh.points.row(i));
+  }
+  const double size = (mesh.points.colwise().maxCoeff() - mesh.points.colwise().minCoeff()).norm();
+  const double rounding =
+    std::numeric_limits<double>::epsilon() * mesh.points.cwiseAbs().maxCoeff();
+  this->Tolerance = std::max(RelativeFlatness * size, 4.0 * rounding);
+}
+
+TriangleMesh FlatFlips::mesh() const
+{
+  TriangleMesh result{ Points(this->numberOfPoints(), 3), this->Connectivity.triangles() };
+  for (Index i = 0; i < this->numberOfPoints(); ++i)
+  {
+    result.points.row(i) = this->point(i);
+  }
+  return result;
+}
+
+double FlatFlips::cotangent(Index half, const Eigen::RowVector3d& apex) const
+{
+  const Eigen::RowVector3d u = this->point(this->Connectivity.from(half)) - apex;
+  const Eigen::RowVector3d v = this->point(this->Connectivity.to(half)) - apex;
+  return u.dot(v) / u.cross(v).norm();
+}
+
+double FlatFlips::cotangent(Index half) const
+{
+  return this->cotangent(half, this->point(this->Connectivity.apex(half)));
+}
+
+double FlatFlips::weight(Index half) const
+{
+  const Index other = this->Connectivity.twin(half);
+  return this->cotangent(half) + (other < 0 ? 0.0 : this->cotangent(other));
+}
+
+bool FlatFlips::isFlat(Index half) const
+{
+  return this->isFlat(half, this->point(this->Connectivity.apex(half)));
+}
+
+bool FlatFlips::isCoplanar(Index half) const
+{
+  return this->isCoplanar(half, this->point(this->Connectivity.apex(half)));
+}
+
+bool FlatFlips::isCoplanar(Index half, const Eigen::RowVector3d& c) const
+{
+  const Eigen::RowVector3d& a = this->point(this->Connectivity.from(half));
+  const Eigen::RowVector3d& b = this->point(this->Connectivity.to(half));
+  const Eigen::RowVector3d& d = this->point(this->Connectivity.apex(this->Connectivity.twin(half)));
+  const Eigen::RowVector3d across = (b - a).cross(d - c);
+  const double length = across.norm();
+  return length > 0.0 && std::abs((c - a).dot(across)) <= this->Tolerance * length;
+}
+
+bool FlatFlips::isFlat(Index half, const Eigen::RowVector3d& c) const
+{
+  const Index other = this->Connectivity.twin(half);
+  if (other < 0 || !this->isCoplanar(half, c))
+  {
+    return false;
+  }
+  const Eigen::RowVector3d& a = this->point(this->Connectivity.from(half));
+  const Eigen::RowVector3d& b = this->point(this->Connectivity.to(half));
+  const Eigen::RowVector3d& d = this->point(this->Connectivity.apex(other));
+  const Eigen::RowVector3d normals[4] = { (b - a).cross(c - a), (d - a).cross(b - a),
+    (a - c).cross(d - c), (b - d).cross(c - d) };
+  return normals[0].dot(normals[1]) > 0.0 && normals[2].dot(normals[0]) > 0.0 &&
+    normals[2].dot(normals[1]) > 0.0 && normals[3].dot(normals[0]) > 0.0 &&
+    normals[3].dot(normals[1]) > 0.0;
+}
+
+bool FlatFlips::wouldFlip(Index half, const Eigen::RowVector3d& apex) const
+{
+  const Index other = this->Connectivity.twin(half);
+  if (other < 0)
+  {
+    return false;
+  }
+  const double p = this->cotangent(half, apex);
+  const double q = this->cotangent(other);
+  return p + q < -RelativeRounding * (1.0 + std::abs(p) + std::abs(q)) && this->isFlat(half, apex);
+}
+
+bool FlatFlips::existsEdge(Index half, Index to) const
+{
+  // Round the start of the half-edge, both ways as far as the boundary lets.
+  for (Index spoke = half;;)
+  {
+    if (this->Connectivity.to(spoke) == to || this->Connectivity.apex(spoke) == to)
+    {
+      return true;
+    }
+    const Index next = this->Connectivity.twin(HalfEdgeTriangles::previous(spoke));
+    if (next == half)
+    {
+      return false;
+    }
+    if (next < 0)
+    {
+      break;
+    }
+    spoke = next;
+  }
+  for (Index spoke = this->Connectivity.twin(half); spoke >= 0;
+       spoke = this->Connectivity.twin(HalfEdgeTriangles::next(spoke)))
+  {
+    if (this->Connectivity.apex(spoke) == to)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void FlatFlips::flipFrom(std::vector<Index> open)
+{
+  while (!open.empty() &&
+    this->NumberOfFlips < GreatestFlipsPerHalfEdge * this->Connectivity.numberOfHalfEdges())
+  {
+    const Index half = open.back();
+    open.pop_back();
+    const Index other = this->Connectivity.twin(half);
+    if (!this->wouldFlip(half, this->point(this->Connectivity.apex(half))) ||
+      this->existsEdge(HalfEdgeTriangles::previous(half), this->Connectivity.apex(other)))
+    {
+      continue;
+    }
+    this->Connectivity.flip(half);
+    ++this->NumberOfFlips;
+    const Index left = half - half % 3;
+    const Index right = other - other % 3;
+    open.insert(open.end(), { left, left + 1, right, right + 1 });
+  }
+}
+
+void FlatFlips::flipAll()
+{
+  for (Index half = 0; half < this->Connectivity.numberOfHalfEdges(); ++half)
+  {
+    this->flipFrom({ half });
+  }
+}
+
+Index FlatFlips::add(const Eigen::RowVector3d& position)
+{
+  this->Positions.push_back(position);
+  return this->numberOfPoints() - 1;
+}
+
+Index FlatFlips::halve(Index half)
+{
+  const Index left = half / 3;
+  const Index right = this->Connectivity.twin(half) / 3;
+  const Index before = this->Connectivity.numberOfTriangles();
+  const Index vertex = this->add(
+    0.5 * (this->point(this->Connectivity.from(half)) + this->point(this->Connectivity.to(half))));
+  this->Connectivity.splitEdge(half, vertex);
+  std::vector<Index> open;
+  for (const Index t : { left, right, before, before + 1 })
+  {
+    open.insert(open.end(), { 3 * t, 3 * t + 1, 3 * t + 2 });
+  }
+  this->flipFrom(std::move(open));
+  return vertex;
+}
+
+Index FlatFlips::insertCentroid(Index triangle)
+{
+  const Index before = this->Connectivity.numberOfTriangles();
+  const Index first = 3 * triangle;
+  const Index vertex = this->add(
+    (this->point(this->Connectivity.from(first)) + this->point(this->Connectivity.from(first + 1)) +
+      this->point(this->Connectivity.from(first + 2))) /
+    3.0);
+  this->Connectivity.splitTriangle(triangle, vertex);
+  this->flipFrom({ 3 * triangle, 3 * before, 3 * (before + 1) });
+  return vertex;
+}
+}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepBridge.h"
 
+#include "HexSweepFailure.h"
+
 #include "Core/Common/Describe.h"
 #include "Core/Surfaces/TriangleAngles.h"
 
@@ -448,6 +450,7 @@ ParallelFor smpFor()
 
 int runFilter(vtkAlgorithm* self, vtkInformationVector* outputs, const std::function<void()>& body)
 {
+  clearFailure(self);
   std::string problem;
   try
   {
@@ -468,7 +471,7 @@ int runFilter(vtkAlgorithm* self, vtkInformationVector* outputs, const std::func
     problem = error.what();
   }
   clearOutputs(outputs);
-  vtkErrorWithObjectMacro(self, << problem);
+  reportFailure(self, problem);
   return 0;
 }
 }

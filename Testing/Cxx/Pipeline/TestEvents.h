@@ -22,7 +22,8 @@ class Events
 public:
   std::vector<std::string> errors;
   std::vector<std::string> warnings;
-  /// A missing input, and the note that a request failed, which follows every error of a filter.
+  /// A missing input, and the note that a request failed, which follows every error of a filter
+  /// (and is displayed only where somebody else fails).
   std::vector<std::string> executiveErrors;
 
   explicit Events(vtkAlgorithm* algorithm)

@@ -28,6 +28,25 @@ def test_filter_runs():
     assert output.GetCellData().GetArray("Validity").GetRange() == (0, 0)
 
 
+def test_failure_is_one_message():
+    """In a plain interpreter too no print of the executive's request follows."""
+    script = (
+        "from hexsweep import vtkHexValidity\n"
+        "from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid\n"
+        "validity = vtkHexValidity()\n"
+        "validity.SetInputDataObject(vtkUnstructuredGrid())\n"
+        "validity.Update()\n"
+        "validity.Update()\n"
+        "assert validity.GetErrorCode() == 40000\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], check=True, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True,
+    )
+    lines = [line for line in done.stdout.replace("\x1b[0m", "").splitlines() if line]
+    assert len(lines) == 1 and "no cells" in lines[0], done.stdout
+
+
 def test_other_vtk_is_refused():
     """With another VTK in memory the import must fail cleanly, not crash."""
     script = (
@@ -47,4 +66,5 @@ def test_other_vtk_is_refused():
 
 if __name__ == "__main__":
     test_filter_runs()
+    test_failure_is_one_message()
     test_other_vtk_is_refused()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepBoundaryGrid.h"
 
-#include "HexSweepBridge.h"
+#include "HexSweepWriter.h"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>

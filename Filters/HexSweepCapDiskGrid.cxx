@@ -2,9 +2,12 @@
 #include "HexSweepCapDiskGrid.h"
 
 #include "Core/Common/Describe.h"
+#include "Core/Common/Errors.h"
 #include "Core/DiskMaps/MapDistortion.h"
 #include "Core/Solvers/SurfaceLaplacian.h"
 #include "Core/Surfaces/SurfaceTopology.h"
+#include "HexSweepReader.h"
+#include "HexSweepWriter.h"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -19,6 +22,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace hexsweep
 {
@@ -157,8 +161,8 @@ Points arrayPoints(vtkDataArray* array)
 }
 }
 
-void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* original,
-  int precision, bool outputDisk, vtkUnstructuredGrid* output)
+void writeCapDisk(const CapDisk& cap, const CapOrigin& origin, int precision, bool outputDisk,
+  vtkUnstructuredGrid* output)
 {
   const Points disk = inSpace(cap.disk);
   output->SetPoints(
@@ -173,10 +177,11 @@ void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* o
   std::vector<Index> cellIds;
   for (const Index face : cap.triangleOrigin)
   {
-    cellIds.push_back(surface.cellIds[static_cast<std::size_t>(face)]);
+    cellIds.push_back(origin.cellIds[static_cast<std::size_t>(face)]);
   }
-  copyAttributes(original->GetPointData(), output->GetPointData(), pointIds, OriginalPointIdsName);
-  copyAttributes(original->GetCellData(), output->GetCellData(), cellIds, OriginalCellIdsName);
+  copyAttributes(
+    origin.data->GetPointData(), output->GetPointData(), pointIds, OriginalPointIdsName);
+  copyAttributes(origin.data->GetCellData(), output->GetCellData(), cellIds, OriginalCellIdsName);
   output->GetPointData()->AddArray(vectors(DiskCoordinatesName, disk));
   if (outputDisk)
   {
@@ -184,14 +189,14 @@ void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* o
   }
 
   vtkFieldData* field = output->GetFieldData();
-  field->PassData(original->GetFieldData());
+  field->PassData(origin.data->GetFieldData());
   addReport(field, DiskMapDomainName, std::string(nameOf(cap.domain)));
   addReport(field, WeightsName, std::string(nameOf(cap.weights)));
   addReport(field, "SweepReportFlipsBefore", cap.flipsBefore);
   addReport(field, "SweepReportFlipsAfter", static_cast<Index>(cap.flipped.size()));
   addReport(field, "SweepReportEdgeFlips", cap.edgeFlips);
   addReport(field, "SweepReportAddedPoints", cap.addedPoints);
-  addReport(field, "SweepReportIgnoredCells", surface.ignoredCells);
+  addReport(field, "SweepReportIgnoredCells", origin.ignoredCells);
   Points circles(static_cast<Index>(cap.holes.size()), 3);
   for (std::size_t h = 0; h < cap.holes.size(); ++h)
   {
@@ -204,7 +209,7 @@ void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* o
 
 CapDisk readCapDisk(vtkDataSet* data, const std::string& what)
 {
-  const SurfaceInput surface = readTriangles(data, what);
+  TriangleInput surface = readTriangles(data, what);
   vtkDataArray* disk = data->GetPointData()->GetArray(DiskCoordinatesName);
   if (!disk || disk->GetNumberOfComponents() != 3)
   {
@@ -213,9 +218,9 @@ CapDisk readCapDisk(vtkDataSet* data, const std::string& what)
   }
   CapDisk cap;
   vtkDataArray* ownPoints = data->GetPointData()->GetArray(SurfacePointsName);
-  cap.mesh.points = ownPoints ? arrayPoints(ownPoints) : surface.points;
-  cap.mesh.triangles = surface.faces;
-  cap.triangleOrigin = surface.cellIds;
+  cap.mesh.points = ownPoints ? arrayPoints(ownPoints) : std::move(surface.mesh.points);
+  cap.mesh.triangles = std::move(surface.mesh.triangles);
+  cap.triangleOrigin = std::move(surface.cellIds);
   cap.numberOfOriginalPoints = cap.mesh.points.rows();
   cap.disk = arrayPoints(disk).leftCols<2>();
   if (!cap.disk.allFinite())

@@ -8,7 +8,12 @@
 #define HexSweepCapDiskGrid_h
 
 #include "Core/DiskMaps/CapDisk.h"
-#include "HexSweepBridge.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkUnstructuredGrid;
 
 namespace hexsweep
 {
@@ -19,15 +24,22 @@ constexpr const char* OriginalPointIdsName = "OriginalPointIds";
 constexpr const char* OriginalCellIdsName = "OriginalCellIds";
 constexpr const char* DiskMapDomainName = "DiskMapDomain";
 
+/// What a cap was read from.
+struct CapOrigin
+{
+  vtkDataSet* data = nullptr;
+  std::vector<Index> cellIds; ///< cell that each triangle came from
+  Index ignoredCells = 0;     ///< see TriangleInput
+};
+
 /**
  * Fills the grid with the mapped triangles, the arrays above, the attributes of the input's cells
  * and points (null values on added points), and the field data of the map.
  *
- * @param surface    what the cap was read from; `original` its data set.
  * @param outputDisk put the points into the disk, the surface's own into `SurfacePoints`.
  */
-void writeCapDisk(const CapDisk& cap, const SurfaceInput& surface, vtkDataSet* original,
-  int precision, bool outputDisk, vtkUnstructuredGrid* output);
+void writeCapDisk(const CapDisk& cap, const CapOrigin& origin, int precision, bool outputDisk,
+  vtkUnstructuredGrid* output);
 
 /// @throw InvalidInput when the data set carries no disk map.
 CapDisk readCapDisk(vtkDataSet* data, const std::string& what);

@@ -2,7 +2,7 @@
 #include "HexSweepGrid.h"
 
 #include "Core/Common/StoppablePieces.h"
-#include "HexSweepBridge.h"
+#include "HexSweepRun.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>

@@ -2,7 +2,7 @@
 #include "HexSweepInteriorReport.h"
 
 #include "Core/Common/Describe.h"
-#include "HexSweepBridge.h"
+#include "HexSweepWriter.h"
 
 namespace hexsweep
 {

@@ -2,7 +2,7 @@
 #include "HexSweepLinkingReport.h"
 
 #include "Core/Common/Describe.h"
-#include "HexSweepBridge.h"
+#include "HexSweepWriter.h"
 
 namespace hexsweep
 {

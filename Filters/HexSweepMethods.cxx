@@ -8,7 +8,7 @@
 #include "Core/Interior/HarmonicCoordinates.h"
 #include "Core/Interior/LayerMarch.h"
 #include "Core/Interior/MeanValueCoordinates.h"
-#include "HexSweepBridge.h"
+#include "HexSweepRun.h"
 #include "vtkCageHexInterior.h"
 
 namespace hexsweep

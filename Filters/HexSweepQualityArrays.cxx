@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepQualityArrays.h"
 
-#include "HexSweepBridge.h"
+#include "HexSweepWriter.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepSolidBoundary.h"
 
-#include "HexSweepBridge.h"
+#include "HexSweepReader.h"
+#include "HexSweepWriter.h"
 
 #include "Core/Surfaces/FaceSides.h"
 
@@ -199,9 +200,9 @@ BoundaryCells cellsOnBoundary(const BoundaryCells& own, const BoundaryCells& bou
 /// Whether each edge has two cells (polygons and strips count by their triangles).
 bool isClosed(vtkDataSet* surface)
 {
-  const SurfaceInput input = readTriangles(surface, "solid");
+  const TriangleMesh mesh = readTriangles(surface, "solid").mesh;
   bool closed = true;
-  forEachEdge(sortedSides(input.faces, input.points.rows()),
+  forEachEdge(sortedSides(mesh.triangles, mesh.points.rows()),
     [&](std::size_t first, std::size_t last) { closed = closed && last - first == 2; });
   return closed;
 }

@@ -6,7 +6,7 @@
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Surfaces/SurfacePart.h"
-#include "HexSweepBridge.h"
+#include "HexSweepReader.h"
 
 #include <vtkDataSet.h>
 
@@ -194,8 +194,8 @@ SourceQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidDat
   SourceQuads result;
   if (given)
   {
-    SurfaceInput quads = readQuads(given, "source quads");
-    result.mesh = { std::move(quads.points), Quads(quads.faces) };
+    QuadInput quads = readQuads(given, "source quads");
+    result.mesh = std::move(quads.mesh);
     result.attributes = { given, upTo(given->GetNumberOfPoints()), std::move(quads.cellIds) };
     result.origin = "SourceQuads";
     return result;

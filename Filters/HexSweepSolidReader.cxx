@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepSolidReader.h"
 
-#include "HexSweepBridge.h"
+#include "HexSweepReader.h"
 #include "HexSweepSolidBoundary.h"
 
 #include "Core/Common/Describe.h"
+#include "Core/Common/Errors.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>
@@ -32,10 +33,10 @@ bool isQuad(int type, vtkIdType numberOfPoints)
 }
 
 /// Takes over triangles and quads of a surface.
-void fill(SolidData& solid, const BoundaryCells& surface, const SurfaceInput& input)
+void fill(SolidData& solid, const BoundaryCells& surface, TriangleInput input)
 {
-  solid.points = input.points;
-  solid.triangles = input.faces;
+  solid.points = std::move(input.mesh.points);
+  solid.triangles = std::move(input.mesh.triangles);
   std::vector<Index> corners;
   vtkNew<vtkIdList> points;
   for (std::size_t t = 0; t < input.cellIds.size(); ++t)
@@ -179,12 +180,12 @@ SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray)
 {
   const bool isVolume = data && hasVolumes(data);
   const BoundaryCells boundary = isVolume ? volumeBoundary(data) : BoundaryCells{ data, {} };
-  const SurfaceInput input = readTriangles(boundary.cells, What);
+  TriangleInput input = readTriangles(boundary.cells, What);
   SolidData solid;
   solid.fromVolume = boundary.fromVolume;
   solid.ignoredCells = boundary.ignoredCells + input.ignoredCells;
   solid.ignoredSurfaces = boundary.ignoredSurfaces;
-  fill(solid, boundary, input);
+  fill(solid, boundary, std::move(input));
   vtkAbstractArray* ids = findFaceIds(data, faceIdArray);
   if (ids && !solid.fromVolume)
   {

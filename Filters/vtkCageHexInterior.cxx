@@ -3,7 +3,7 @@
 
 #include "Core/Interior/CageMesh.h"
 #include "Core/Interior/TopologicalModel.h"
-#include "HexSweepBridge.h"
+#include "HexSweepRun.h"
 #include "HexSweepCage.h"
 #include "HexSweepHexOutput.h"
 

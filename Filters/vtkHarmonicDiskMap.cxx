@@ -7,8 +7,10 @@
 #include "Core/Linking/LoopMatching.h"
 #include "Core/Solvers/SurfaceLaplacian.h"
 #include "Core/Surfaces/SurfaceTopology.h"
-#include "HexSweepBridge.h"
 #include "HexSweepCapDiskGrid.h"
+#include "HexSweepReader.h"
+#include "HexSweepRun.h"
+#include "HexSweepWriter.h"
 
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
@@ -17,9 +19,71 @@
 #include <vtkObjectFactory.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkHarmonicDiskMap);
+
+namespace
+{
+using namespace hexsweep;
+
+struct MapSettings
+{
+  Weights weights;
+  TriangulationImprovement improvement;
+  double matchTolerance;
+};
+
+struct MappedCap
+{
+  CapDisk disk;
+  std::vector<double> startFractions; ///< see MatchedLoops
+  std::vector<std::string> warnings;
+};
+
+/// @param type a vtkHarmonicDiskMap::ImproveTriangulationType.
+TriangulationImprovement improvementOf(int type)
+{
+  return type == vtkHarmonicDiskMap::OFF    ? TriangulationImprovement::Off
+    : type == vtkHarmonicDiskMap::AUTOMATIC ? TriangulationImprovement::Automatic
+                                            : TriangulationImprovement::On;
+}
+
+MappedCap mapWithPartner(const TriangleMesh& cap, vtkDataSet* partner, vtkDataSet* linking,
+  const MapSettings& settings, const Progress& progress)
+{
+  const TriangleInput other = readTriangles(partner, "partner surface");
+  checkAreas(other, "partner surface");
+  LinkedDisks linked = mapLinkedCaps(cap, other.mesh, readOptionalQuads(linking, "linking sides"),
+    settings.weights, settings.matchTolerance, progress, settings.improvement);
+  return { std::move(linked.first), std::move(linked.startFractions),
+    { describeDoubts(linked.doubts),
+      describeMismatch(
+        linked.mismatch, "input surface", "ring of the linking sides at this cap") } };
+}
+
+/// What to tell the user of Koebe's iteration; empty where it did what it was to do.
+std::string describeKoebe(const CapDisk& cap, double tolerance, int maximumIterations)
+{
+  if (!cap.koebeFailure.empty())
+  {
+    return "the input surface: holes are circles by arc length, as with HoleTreatment ArcLength, "
+           "since Koebe's iteration cannot be used: " +
+      cap.koebeFailure;
+  }
+  if (cap.converged)
+  {
+    return {};
+  }
+  return "Koebe's iteration has not come to its Tolerance " + describe(tolerance) + " in " +
+    std::to_string(maximumIterations) +
+    " rounds; the last one still changed centres and radii by " +
+    (cap.rounds.size() > 1 ? describe(cap.rounds.back().change) : "an unknown amount") +
+    " (sum of squares). Raise MaximumIterations, or improve the triangulation.";
+}
+}
 
 //------------------------------------------------------------------------------
 vtkHarmonicDiskMap::vtkHarmonicDiskMap()
@@ -30,7 +94,7 @@ vtkHarmonicDiskMap::vtkHarmonicDiskMap()
 //------------------------------------------------------------------------------
 int vtkHarmonicDiskMap::FillInputPortInformation(int port, vtkInformation* info)
 {
-  hexsweep::acceptSurfaces(info);
+  acceptSurfaces(info);
   info->Set(INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
 }
@@ -39,87 +103,62 @@ int vtkHarmonicDiskMap::FillInputPortInformation(int port, vtkInformation* info)
 int vtkHarmonicDiskMap::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  using namespace hexsweep;
-  return runFilter(this, outputs, [&] {
-    vtkDataSet* input = inputDataSet(inputs, 0);
-    if (isIdleRank(outputs, inputs, { "input surface", "partner surface", "linking sides" }))
+  return runFilter(this, outputs, [&] { this->Execute(inputs, outputs); });
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicDiskMap::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (isIdleRank(outputs, inputs, { "input surface", "partner surface", "linking sides" }))
+  {
+    return;
+  }
+  if (this->HoleTreatment < KOEBE || this->HoleTreatment > FILLED)
+  {
+    throw InvalidInput("HoleTreatment " + std::to_string(this->HoleTreatment) +
+      " does not exist. Choose Koebe (0), ArcLength (1) or Filled (2).");
+  }
+  if (this->ImproveTriangulation < OFF || this->ImproveTriangulation > ON)
+  {
+    throw InvalidInput("ImproveTriangulation " + std::to_string(this->ImproveTriangulation) +
+      " does not exist. Choose Off (0), Automatic (1) or On (2).");
+  }
+  vtkDataSet* input = inputDataSet(inputs, 0);
+  TriangleInput surface = readTriangles(input, "input surface");
+  checkAreas(surface, "input surface");
+  const MapSettings settings = { this->Weights == COTANGENT ? Weights::Cotangent
+                                                            : Weights::MeanValue,
+    improvementOf(this->ImproveTriangulation), this->MatchTolerance };
+  const hexsweep::Progress progress = pipelineProgress(this, 0.1, 0.9);
+  MappedCap cap;
+  if (vtkDataSet* partner = inputDataSet(inputs, 1))
+  {
+    cap = mapWithPartner(surface.mesh, partner, inputDataSet(inputs, 2), settings, progress);
+  }
+  else
+  {
+    cap.disk = canonicalDiskMap(
+      { surface.mesh.points, orientFaces(surface.mesh.triangles, "input surface") },
+      static_cast<hexsweep::HoleTreatment>(this->HoleTreatment), settings.weights,
+      settings.improvement, { this->Tolerance, this->MaximumIterations }, progress);
+  }
+  cap.warnings.push_back(describeKoebe(cap.disk, this->Tolerance, this->MaximumIterations));
+  cap.warnings.push_back(describeFlips(cap.disk, "input surface"));
+  for (const std::string& warning : cap.warnings)
+  {
+    if (!warning.empty())
     {
-      return;
+      vtkWarningMacro(<< warning);
     }
-    if (this->HoleTreatment < KOEBE || this->HoleTreatment > FILLED)
-    {
-      throw InvalidInput("HoleTreatment " + std::to_string(this->HoleTreatment) +
-        " does not exist. Choose Koebe (0), ArcLength (1) or Filled (2).");
-    }
-    if (this->ImproveTriangulation < OFF || this->ImproveTriangulation > ON)
-    {
-      throw InvalidInput("ImproveTriangulation " + std::to_string(this->ImproveTriangulation) +
-        " does not exist. Choose Off (0), Automatic (1) or On (2).");
-    }
-    const auto improvement = this->ImproveTriangulation == OFF ? TriangulationImprovement::Off
-      : this->ImproveTriangulation == AUTOMATIC                ? TriangulationImprovement::Automatic
-                                                               : TriangulationImprovement::On;
-    const SurfaceInput surface = readTriangles(input, "input surface");
-    checkAreas(surface, "input surface");
-    const hexsweep::Weights weights =
-      this->Weights == COTANGENT ? hexsweep::Weights::Cotangent : hexsweep::Weights::MeanValue;
-    const TriangleMesh mesh{ surface.points, surface.faces };
-    CapDisk cap;
-    std::vector<double> startFractions;
-    if (vtkDataSet* partner = inputDataSet(inputs, 1))
-    {
-      const SurfaceInput other = readTriangles(partner, "partner surface");
-      checkAreas(other, "partner surface");
-      LinkedDisks linked = mapLinkedCaps(mesh, { other.points, other.faces },
-        readOptionalQuads(inputDataSet(inputs, 2), "linking sides"), weights, this->MatchTolerance,
-        pipelineProgress(this, 0.1, 0.9), improvement);
-      cap = std::move(linked.first);
-      startFractions = std::move(linked.startFractions);
-      for (const std::string& warning : { describeDoubts(linked.doubts),
-             describeMismatch(
-               linked.mismatch, "input surface", "ring of the linking sides at this cap") })
-      {
-        if (!warning.empty())
-        {
-          vtkWarningMacro(<< warning);
-        }
-      }
-    }
-    else
-    {
-      cap = canonicalDiskMap({ mesh.points, orientFaces(mesh.triangles, "input surface") },
-        static_cast<hexsweep::HoleTreatment>(this->HoleTreatment), weights, improvement,
-        { this->Tolerance, this->MaximumIterations }, pipelineProgress(this, 0.1, 0.9));
-    }
-    if (!cap.koebeFailure.empty())
-    {
-      vtkWarningMacro(
-        << "the input surface: holes are circles by arc length, as with HoleTreatment "
-           "ArcLength, since Koebe's iteration cannot be used: "
-        << cap.koebeFailure);
-    }
-    if (!cap.converged)
-    {
-      vtkWarningMacro(
-        << "Koebe's iteration has not come to its Tolerance " << this->Tolerance << " in "
-        << this->MaximumIterations << " rounds; the last one still changed centres and radii by "
-        << (cap.rounds.size() > 1 ? describe(cap.rounds.back().change) : "an unknown amount")
-        << " (sum of squares). Raise MaximumIterations, or improve the triangulation.");
-    }
-    const std::string flips = describeFlips(cap, "input surface");
-    if (!flips.empty())
-    {
-      vtkWarningMacro(<< flips);
-    }
-    writeCapDisk(cap, surface, input, this->OutputPointsPrecision, this->OutputDisk,
-      vtkUnstructuredGrid::GetData(outputs));
-    if (!startFractions.empty())
-    {
-      addReport(vtkUnstructuredGrid::GetData(outputs)->GetFieldData(), "SweepReportLoopStarts",
-        startFractions);
-    }
-    reportProgress(pipelineProgress(this), 1.0);
-  });
+  }
+  auto* output = vtkUnstructuredGrid::GetData(outputs);
+  writeCapDisk(cap.disk, { input, std::move(surface.cellIds), surface.ignoredCells },
+    this->OutputPointsPrecision, this->OutputDisk, output);
+  if (!cap.startFractions.empty())
+  {
+    addReport(output->GetFieldData(), "SweepReportLoopStarts", cap.startFractions);
+  }
+  reportProgress(pipelineProgress(this), 1.0);
 }
 
 //------------------------------------------------------------------------------

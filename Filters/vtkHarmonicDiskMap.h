@@ -163,6 +163,8 @@ private:
   vtkHarmonicDiskMap(const vtkHarmonicDiskMap&) = delete;
   void operator=(const vtkHarmonicDiskMap&) = delete;
 
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
   int Weights = COTANGENT;
   int HoleTreatment = KOEBE;
   double Tolerance = 1e-10;

@@ -2,7 +2,7 @@
 #include "vtkHexValidity.h"
 
 #include "Core/Hexahedra/HexQuality.h"
-#include "HexSweepBridge.h"
+#include "HexSweepRun.h"
 #include "HexSweepHexReader.h"
 #include "HexSweepHexText.h"
 #include "HexSweepQualityArrays.h"

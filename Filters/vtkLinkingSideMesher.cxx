@@ -7,9 +7,11 @@
 #include "Core/Solids/FeatureFaces.h"
 #include "Core/Surfaces/OpenEdgeWelding.h"
 #include "Core/Surfaces/SurfaceTopology.h"
-#include "HexSweepBridge.h"
 #include "HexSweepLinkingReport.h"
+#include "HexSweepReader.h"
+#include "HexSweepRun.h"
 #include "HexSweepSolidReader.h"
+#include "HexSweepWriter.h"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -72,9 +74,9 @@ std::vector<Index> loopsOfQuads(const LinkingMesh& linking, const std::vector<Lo
 std::string checkTarget(vtkDataSet* target, const LinkingMesh& linking,
   const std::vector<Loop>& loops, double matchTolerance)
 {
-  const SurfaceInput cap = readTriangles(target, "target surface");
+  const TriangleMesh cap = readTriangles(target, "target surface").mesh;
   const SurfaceTopology topology =
-    checkSurface(orientFaces(cap.faces, "target surface"), cap.points.rows(), "target surface");
+    checkSurface(orientFaces(cap.triangles, "target surface"), cap.points.rows(), "target surface");
   checkCap(topology, "target surface");
   std::vector<Points> rings;
   Index first = 0;
@@ -140,8 +142,8 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   {
     return;
   }
-  const SurfaceInput quads = readQuads(inputDataSet(inputs, 0), "source quads");
-  const SurfaceTopology topology = checkSurface(quads.faces, quads.points.rows(), "source quads");
+  const QuadMesh quads = readQuads(inputDataSet(inputs, 0), "source quads").mesh;
+  const SurfaceTopology topology = checkSurface(quads.quads, quads.points.rows(), "source quads");
   checkCap(topology, "source quads");
   const LinkingSurface surface =
     linkingSurface(readSolid(inputDataSet(inputs, 1), chosenArray(this)), this->MatchTolerance,

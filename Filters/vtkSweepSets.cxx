@@ -2,7 +2,7 @@
 #include "vtkSweepSets.h"
 
 #include "HexSweepBoundarySets.h"
-#include "HexSweepBridge.h"
+#include "HexSweepRun.h"
 
 #include <vtkCompositeDataSet.h>
 #include <vtkInformation.h>

@@ -11,12 +11,11 @@
 namespace hexsweep
 {
 /**
- * The faces that can be the target cap of a source cap: one face, or, where none fits, several that
- * meet each other more smoothly than the solid's feature angle.
+ * The faces that make the best target cap of a source cap: the first of findTargetCandidates().
  *
  * @return rising ids.
- * @throw InvalidInput when several caps fit (it names them all) or none does (it says what is wrong
- *        with the likeliest one), and what findSweepTopology() says of the source cap.
+ * @throw InvalidInput when no cap fits (it says what is wrong with the likeliest one), and what
+ *        findSweepTopology() says of the source cap.
  */
 std::vector<Index> findTargetFaces(
   const SolidSurface& solid, const std::vector<Index>& sourceFaceIds);

@@ -35,7 +35,7 @@ class Case:
 
 @dataclass
 class Sweep:
-    """What one chain of filters made. `seconds` holds the wall time of each stage in order."""
+    """What one chain of filters made. `seconds` holds the CPU time of each stage in order."""
 
     target_quads: object
     hexes: object
@@ -186,9 +186,9 @@ class _Stages:
         self._report = report
 
     def stage(self, name, proxy):
-        start = time.perf_counter()
+        start = time.process_time()
         proxy.UpdatePipeline()
-        self.seconds[name] = time.perf_counter() - start
+        self.seconds[name] = time.process_time() - start
         if fetch(proxy).GetNumberOfCells() == 0:
             raise RuntimeError(f"{name}: the filter gave nothing; its error message says why")
         self._report(name, self.seconds[name])

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Compares methods on all cases of Data/cases; run by `Utilities/demo.sh --compare`.
 
-Prints and writes one table (compare.txt): the affine method and HexSweep's Blend as they come,
-HexSweep as it is by default. Then three pictures, affine beside HexSweep with a histogram below
-each: caps that are not parallel, a curved trajectory, a growing hole.
+Prints one table: the affine method and HexSweep's Blend as they come, HexSweep as it is by default.
+Then three pictures, affine beside HexSweep with a histogram below each: caps that are not parallel,
+a curved trajectory, a growing hole. The figures go to compare.json, which Utilities/results.py takes
+into the documentation.
 """
 
 import argparse
+import json
 import os
 import sys
 
@@ -19,21 +21,7 @@ import chain  # noqa: E402
 import histogram  # noqa: E402
 import picture  # noqa: E402
 from messages import messages_to  # noqa: E402
-from tables import text_table  # noqa: E402
-
-COLUMNS = [
-    ("case", "<"),
-    ("hexes", ">"),
-    ("inverted affine", ">"),
-    ("inverted Blend", ">"),
-    ("inverted ours", ">"),
-    ("not certified ours", ">"),
-    ("min SJ", ">"),
-    ("floor SJ", ">"),
-    ("mean SJ", ">"),
-    ("seconds", ">"),
-    ("what ran", "<"),
-]
+from result_tables import CASES, record_table  # noqa: E402
 
 # Its linking sides collapse half way: there to be refused.
 REFUSED = "bad_rings"
@@ -51,45 +39,53 @@ def main():
     simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
     os.makedirs(arguments.output, exist_ok=True)
     names = sorted(os.listdir(arguments.data))
-    rows = [
-        _row(os.path.join(arguments.data, name), arguments.output)
+    records = [
+        _record(os.path.join(arguments.data, name), arguments.output)
         for name in names
         if name != REFUSED and os.path.isdir(os.path.join(arguments.data, name))
     ]
-    table = text_table(COLUMNS, rows)
-    with open(os.path.join(arguments.output, "compare.txt"), "w", encoding="utf-8") as file:
-        file.write(table)
-    print("\n" + table)
+    print("\n" + record_table(CASES, records))
+    pictures = {}
     for name, model, degrees in PICTURES:
         case = chain.read_case(os.path.join(arguments.data, model))
-        draw(name, chain.bent(case, degrees) if degrees else case, arguments.output)
-    print(f"Table and pictures: {arguments.output}")
+        bent = chain.bent(case, degrees) if degrees else case
+        pictures[name] = draw(name, bent, arguments.output)
+    with open(os.path.join(arguments.output, "compare.json"), "w", encoding="utf-8") as file:
+        json.dump({"cases": records, "pictures": pictures}, file, indent=1)
+    print(f"Figures and pictures: {arguments.output}")
 
 
-def _row(folder, output):
+def _record(folder, output):
     case = chain.read_case(folder)
     print(f"    {case.name}", flush=True)
-    affine, harmonic = _both(case, os.path.join(output, "compare_" + case.name))
-    with messages_to(os.path.join(output, "compare_" + case.name + "_blend.log"), _ignore):
+    stem = os.path.join(output, "compare_" + case.name)
+    affine, harmonic = _both(case, stem)
+    with messages_to(stem + "_raw.log", _ignore):
+        raw = chain.sweep_harmonic(case, _ignore, raw=True)
+    with messages_to(stem + "_blend.log", _ignore):
         blend = chain.sweep_blend(case, harmonic.target_quads, _ignore)
     report = chain.fetch(harmonic.hexes)
-    return [
-        case.name,
-        str(report.GetNumberOfCells()),
-        str(chain.inverted_hexes(affine)),
-        str(chain.inverted_hexes(blend)),
-        str(chain.inverted_hexes(harmonic)),
-        str(chain.uncertified_hexes(harmonic)),
-        f"{chain.reported(report, 'MinScaledJacobian'):.3f}",
-        f"{chain.reported(report, 'FloorScaledJacobian'):.3f}",
-        f"{chain.reported(report, 'MeanScaledJacobian'):.3f}",
-        f"{harmonic.total_seconds:.2f}",
-        chain.reported(report, "Method"),
-    ]
+    return {
+        "name": case.name,
+        "hexes": report.GetNumberOfCells(),
+        "inverted_quads_affine": chain.inverted_quads(affine),
+        "inverted_quads_raw": chain.inverted_quads(raw),
+        "inverted_quads": chain.inverted_quads(harmonic),
+        "inverted_affine": chain.inverted_hexes(affine),
+        "inverted_raw": chain.inverted_hexes(raw),
+        "inverted_blend": chain.inverted_hexes(blend),
+        "inverted": chain.inverted_hexes(harmonic),
+        "not_certified": chain.uncertified_hexes(harmonic),
+        "min_sj": round(chain.reported(report, "MinScaledJacobian"), 6),
+        "floor_sj": round(chain.reported(report, "FloorScaledJacobian"), 6),
+        "mean_sj": round(chain.reported(report, "MeanScaledJacobian"), 6),
+        "seconds": round(harmonic.total_seconds, 2),
+        "method": chain.reported(report, "Method"),
+    }
 
 
 def draw(name, case, output):
-    """Writes <output>/<name>.png."""
+    """Writes <output>/<name>.png and returns the counts in its caption."""
     stem = os.path.join(output, name)
     affine, harmonic = _both(case, stem)
     picture.draw_beside(
@@ -103,6 +99,11 @@ def draw(name, case, output):
     )
     _stack([stem + "_histogram.png", stem + "_cut.png"], stem + ".png")
     print(f"    {name}.png", flush=True)
+    return {
+        "hexes": chain.fetch(harmonic.hexes).GetNumberOfCells(),
+        "inverted_affine": chain.inverted_hexes(affine),
+        "inverted": chain.inverted_hexes(harmonic),
+    }
 
 
 def _both(case, stem):

@@ -31,7 +31,7 @@ COLUMNS = [
     ("not certified ours", ">"),
     ("min SJ", ">"),
     ("mean SJ", ">"),
-    ("seconds", ">"),
+    ("CPU seconds", ">"),
     ("Mhex/s", ">"),
 ]
 

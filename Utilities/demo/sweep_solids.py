@@ -2,7 +2,8 @@
 """Sweeps CAD solids of Data/solids by the one filter OneToOneSweep; run by Utilities/demo.sh.
 
 Each solid is swept with the quads that lie beside it, without any (they are made then), and from
-its other end. Prints one table and writes <solid>.vtu (hexes), <solid>_boundary.vtu and a picture.
+its other end. Prints one table and writes <solid>.vtu (hexes), <solid>_boundary.vtu, a picture, and the
+figures of all solids (solids.json), which Utilities/results.py takes into the documentation.
 """
 
 import argparse
@@ -17,41 +18,25 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import picture  # noqa: E402
 from chain import fetch, reported, scaled_jacobians  # noqa: E402
 from messages import messages_to  # noqa: E402
-from tables import text_table  # noqa: E402
-
-COLUMNS = [
-    ("solid", "<"),
-    ("source quads", "<"),
-    ("quads", ">"),
-    ("layers", ">"),
-    ("hexes", ">"),
-    ("inverted", ">"),
-    ("not certified", ">"),
-    ("min SJ", ">"),
-    ("floor SJ", ">"),
-    ("mean SJ", ">"),
-    ("CAD edges", ">"),
-    ("seconds", ">"),
-]
+from result_tables import SOLIDS, record_table  # noqa: E402
 
 
 def main():
     arguments = _parse()
     simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
     os.makedirs(arguments.output, exist_ok=True)
-    rows = []
+    records = []
     for folder in (os.path.join(arguments.data, name) for name in arguments.solids):
         print(os.path.basename(folder), flush=True)
-        rows.extend(sweep_solid(folder, arguments.output))
-    table = text_table(COLUMNS, rows)
-    with open(os.path.join(arguments.output, "solids.txt"), "w", encoding="utf-8") as file:
-        file.write(table)
-    print("\n" + table)
-    print(f"Meshes and pictures: {arguments.output}")
+        records.extend(sweep_solid(folder, arguments.output))
+    with open(os.path.join(arguments.output, "solids.json"), "w", encoding="utf-8") as file:
+        json.dump({"solids": records}, file, indent=1)
+    print("\n" + record_table(SOLIDS, records))
+    print(f"Meshes, figures and pictures: {arguments.output}")
 
 
 def sweep_solid(folder, output):
-    """Sweeps one solid three ways, writes the files of the first and returns the table's rows."""
+    """Sweeps one solid three ways, writes the files of the first and returns their records."""
     with open(os.path.join(folder, "case.json"), encoding="utf-8") as file:
         case = json.load(file)
     solid, quads = (
@@ -67,22 +52,23 @@ def sweep_solid(folder, output):
         ("made, other end", {"SourceFaceIds": target, "QuadSize": case["quad_size"]}),
     ]
     stem = os.path.join(output, case["name"])
-    rows = []
+    records = []
     for number, (name, properties) in enumerate(ways):
-        start = time.perf_counter()
+        start = time.process_time()
         with messages_to(f"{stem}_{number}.log", lambda line: print("      ! " + line)):
             hexes = simple.OneToOneSweep(
                 Solid=solid, NumberOfLayers=case["suggested_layers"], **properties
             )
             hexes.UpdatePipeline()
-        rows.append([case["name"], name] + _figures(hexes, time.perf_counter() - start))
+        seconds = time.process_time() - start
+        records.append({"name": case["name"], "source_quads": name, **_figures(hexes, seconds)})
         if number == 0:
             # Debian's expat 2.5.0-1+deb12u2 cannot read the raw appended data that are the default.
             simple.SaveData(stem + ".vtu", proxy=hexes, DataMode="Binary")
             boundary = simple.OutputPort(hexes, 1)
             simple.SaveData(stem + "_boundary.vtu", proxy=boundary, DataMode="Binary")
             picture.draw_solid(solid, hexes, stem + ".png")
-    return rows
+    return records
 
 
 def _figures(hexes, seconds):
@@ -90,18 +76,18 @@ def _figures(hexes, seconds):
     count = data.GetNumberOfCells()
     layers = int(reported(data, "Layers"))
     quality = scaled_jacobians(hexes)
-    return [
-        str(count // layers),
-        str(layers),
-        str(count),
-        str(int(reported(data, "Inverted") + reported(data, "Degenerate"))),
-        str(int(reported(data, "NotCertified"))),
-        f"{quality.min():.3f}",
-        f"{reported(data, 'FloorScaledJacobian'):.3f}",
-        f"{quality.mean():.3f}",
-        str(int(reported(data, "KeptEdges"))),
-        f"{seconds:.2f}",
-    ]
+    return {
+        "quads": count // layers,
+        "layers": layers,
+        "hexes": count,
+        "inverted": int(reported(data, "Inverted") + reported(data, "Degenerate")),
+        "not_certified": int(reported(data, "NotCertified")),
+        "min_sj": round(float(quality.min()), 6),
+        "floor_sj": round(reported(data, "FloorScaledJacobian"), 6),
+        "mean_sj": round(float(quality.mean()), 6),
+        "kept_edges": int(reported(data, "KeptEdges")),
+        "seconds": round(seconds, 2),
+    }
 
 
 def _parse():

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""check_names.py finds names that lead nowhere, and lets pass those that do not."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from check_names import names_in, room_problems
+
+
+class CheckNames(unittest.TestCase):
+    def problems(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            unit = root / "Filters" / "Core" / "Common" / "Mesh.h"
+            unit.parent.mkdir(parents=True)
+            unit.write_text("", encoding="utf-8")
+            page = root / "PAGE.md"
+            page.write_text("# One heading\n" + text, encoding="utf-8")
+            return names_in(page, text, root, {"makeMesh", "Mesh"})
+
+    def test_what_exists(self):
+        for text in (
+            "`Common/Mesh` `Filters/Core/Common/Mesh.h` `Filters/Core/*/Mesh.h` `Mesh.h`",
+            "`makeMesh()` `hexsweep::makeMesh` `<prefix>/lib` `build/release/x`",
+            "[page](PAGE.md) [heading](#one-heading) [out](https://example.org/x)",
+            "```\n`nothing` in a fence\n```\n",
+        ):
+            self.assertEqual(self.problems(text), [], text)
+
+    def test_what_does_not(self):
+        for text in ("`Common/Grid`", "`Filters/Core/Common/Grid.h`", "`Grid.h`", "`makeGrid()`",
+                     "`hexsweep::makeGrid`", "[page](NONE.md)", "[heading](PAGE.md#another)"):
+            self.assertEqual(len(self.problems(text)), 1, text)
+
+    def test_rooms(self):
+        text = "| `A` | is low | nothing |\n| `B` | is high | A |\n"
+        self.assertEqual(room_problems(text, {"A": [], "B": ["A"]}), [])
+        self.assertEqual(len(room_problems(text, {"A": [], "B": []})), 1)
+        self.assertEqual(len(room_problems(text, {"A": [], "B": ["A"], "C": []})), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Says which names in the pages are not, or no longer, in the tree.
+
+    python3 check_names.py SOURCE_DIR
+
+Looked at are links to files and headings, and what stands in `code`: paths (from the top, or from
+Filters/Core: `Room/Unit`), and identifiers, which must occur in some source. In the Architecture page the
+column "may include" of the rooms must be what Testing/Rooms/check_rooms.py allows.
+"""
+import re
+import sys
+from pathlib import Path
+
+PAGES = ["README.md", "CONTRIBUTING.md", "Documentation/Architecture.md"]
+SOURCES = ["Filters", "Plugin", "Python", "Testing", "Utilities", "CMake", "Examples", "CMakeLists.txt",
+           "CMakePresets.json", "vtk.module"]
+SUFFIXES = {".h", ".cxx", ".py", ".in", ".xml", ".txt", ".cmake", ".json", ".sh", ".module", ".geo"}
+FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
+CODE = re.compile(r"`([^`\n]+)`")
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+PATH = re.compile(r"[\w.+-]+(/[\w.+*-]+)+/?")
+FILE = re.compile(r"[\w.-]+\.(h|cxx|py|sh|md|xml|txt|cff|json|bib|cmake|geo|vtu)")
+IDENTIFIER = re.compile(r"(?:[A-Za-z_]\w*::)*([A-Za-z_]\w+)(\(\))?")
+# What the tree makes or takes but does not hold.
+MADE = ("build/", "paraview-")
+# VTK's, and names that stand for others.
+FOREIGN = {"VTK_SMP_BACKEND_IN_USE", "Unit.h", "Unit.cxx"}
+
+
+def names_in(page, text, root, words):
+    """The names in one page that lead nowhere, a line each."""
+    problems = []
+    prose = FENCE.sub("", text)
+    for target in LINK.findall(text):
+        if "://" not in target:
+            problems += link_problem(page, target)
+    for code in CODE.findall(prose):
+        for name in re.split(r"[\s,=;]+", code):
+            if not is_known(name, page, root, words):
+                problems.append(f"{page.name}: `{name}` is nowhere")
+    return problems
+
+
+def link_problem(page, target):
+    path, _, anchor = target.partition("#")
+    file = page.parent / path if path else page
+    if not file.exists():
+        return [f"{page.name}: the link {target} leads nowhere"]
+    if anchor and anchor not in anchors_of(file.read_text(encoding="utf-8")):
+        return [f"{page.name}: no heading of {path} is #{anchor}"]
+    return []
+
+
+def anchors_of(text):
+    """GitHub's anchors of a page's headings."""
+    headings = re.findall(r"^#+ (.*)$", FENCE.sub("", text), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def is_known(name, page, root, words):
+    if "<" in name or name.startswith(MADE) or name in FOREIGN:
+        return True
+    if PATH.fullmatch(name):
+        places = [root, root / "Filters" / "Core", root / "Filters", page.parent]
+        return any(
+            (place / name).exists() or (place / f"{name}.h").exists() or any(place.glob(name.rstrip("/")))
+            for place in places
+        )
+    if FILE.fullmatch(name):
+        return any((root / place / name).exists() for place in ("", "Filters", "Plugin")) or bool(
+            next((root / "Filters").rglob(name), None) or next((root / "Testing").rglob(name), None)
+            or next((root / "Data").rglob(name), None)
+        )
+    match = IDENTIFIER.fullmatch(name)
+    return not match or match.group(1) in words
+
+
+def words_of(root):
+    """Every word of the sources, and the names of files and folders."""
+    words = set()
+    for source in SOURCES:
+        top = root / source
+        for file in [top] if top.is_file() else top.rglob("*"):
+            if "Testing/Documentation" in file.as_posix():
+                continue
+            words.update((file.name, file.stem))
+            if file.is_file() and file.suffix in SUFFIXES:
+                words.update(re.findall(r"\w+", file.read_text(encoding="utf-8")))
+    words.update(file.name for folder in ("Data", "") for file in (root / folder).glob("*"))
+    words.update(file.name for file in (root / "Data").glob("*/*"))
+    return words
+
+
+def room_problems(text, allowed):
+    """Where the Architecture page's table of rooms is not the rule that the test enforces."""
+    rows = re.findall(r"^\| `(\w+)` \|.*\| ([\w, ]+) \|$", text, re.M)
+    written = {room: [] if rooms == "nothing" else rooms.split(", ") for room, rooms in rows}
+    return [
+        f"Architecture.md: room {room} may include {allowed.get(room)}, the page says {written.get(room)}"
+        for room in sorted(set(allowed) | set(written))
+        if allowed.get(room) != written.get(room)
+    ]
+
+
+def problems_of(root):
+    sys.path.insert(0, str(root / "Testing" / "Rooms"))
+    from check_rooms import ALLOWED
+
+    words = words_of(root)
+    problems = []
+    for name in PAGES:
+        page = root / name
+        problems += names_in(page, page.read_text(encoding="utf-8"), root, words)
+    architecture = (root / "Documentation" / "Architecture.md").read_text(encoding="utf-8")
+    return problems + room_problems(architecture, ALLOWED)
+
+
+if __name__ == "__main__":
+    found = problems_of(Path(sys.argv[1]))
+    print("\n".join(found), file=sys.stderr)
+    sys.exit(1 if found else 0)

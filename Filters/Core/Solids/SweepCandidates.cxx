@@ -417,6 +417,11 @@ private:
 };
 }
 
+std::string verdictOn(const SweepCandidate& candidate)
+{
+  return candidate.fits ? "fits" : candidate.score > 0.0 ? "poor" : "refused";
+}
+
 SweepCandidates findSweepCandidates(const SolidSurface& solid)
 {
   return CandidateSearch(solid).findAll();

@@ -23,6 +23,9 @@ struct SweepCandidate
   std::string reasons; ///< in words, see describeSweep(), or why it is refused
 };
 
+/// "fits"; "poor" where it can be swept but does not fit; "refused".
+std::string verdictOn(const SweepCandidate& candidate);
+
 struct SweepCandidates
 {
   /// Those that fit, best first, then some of the likeliest that do not, with the reason.

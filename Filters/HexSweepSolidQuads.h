@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Where the quads of a solid's source cap come from, and which quads its sides bring along.
- * Private to the module.
+ * @brief Where the quads of a solid's source cap come from. Private to the module.
  */
 #ifndef HexSweepSolidQuads_h
 #define HexSweepSolidQuads_h
 
+#include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepTopology.h"
 #include "HexSweepHexOutput.h"
-#include "HexSweepSolidReader.h"
 
 #include <string>
 #include <vector>
@@ -18,7 +17,7 @@ class vtkDataSet;
 
 namespace hexsweep
 {
-struct SourceQuads
+struct SourceCapQuads
 {
   QuadMesh mesh;
   SourceAttributes attributes;
@@ -27,10 +26,6 @@ struct SourceQuads
   double size = 0.0;  ///< edge length that these were to have
 };
 
-/// Where the borders between the faces of linking sides begin: points of the solid on the loops of
-/// the source cap.
-std::vector<Index> edgeStarts(const SolidSurface& solid, const SweepTopology& topology);
-
 /**
  * The quads of the input, else those that the solid has on its source faces, else new ones.
  *
@@ -38,16 +33,8 @@ std::vector<Index> edgeStarts(const SolidSurface& solid, const SweepTopology& to
  * @param size  of new quads; 0: see defaultQuadSize().
  * @throw InvalidInput when the input is no quad mesh, or for a size out of range.
  */
-SourceQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidData& data,
+SourceCapQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidInput& input,
   const SolidSurface& solid, const SweepTopology& topology, double size, const Progress& progress);
-
-/// Degrees: by how much the loops of the source cap turn at most, but for borders between faces;
-/// 0 where that is less than 10.
-double greatestFacetTurn(const SolidSurface& solid, const SweepTopology& topology);
-
-/// Faces of each side that are meshed with quads.
-std::vector<std::vector<QuadMesh>> sidePatches(
-  const SolidData& data, const SolidSurface& solid, const SweepTopology& topology);
 }
 
 #endif

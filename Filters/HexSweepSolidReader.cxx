@@ -16,8 +16,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,7 +31,7 @@ bool isQuad(int type, vtkIdType numberOfPoints)
 }
 
 /// Takes over triangles and quads of a surface.
-void fill(SolidData& solid, const BoundaryCells& surface, TriangleInput input)
+void fill(SolidInput& solid, const BoundaryCells& surface, TriangleInput input)
 {
   solid.points = std::move(input.mesh.points);
   solid.triangles = std::move(input.mesh.triangles);
@@ -148,32 +146,6 @@ std::vector<Index> readFaceIds(
   }
   return ids;
 }
-
-/// The quad that two triangles with a common edge form, in their direction.
-std::array<Index, 4> joinHalves(
-  const Eigen::Matrix<Index, 1, 3>& first, const Eigen::Matrix<Index, 1, 3>& second)
-{
-  const auto isIn = [](const Eigen::Matrix<Index, 1, 3>& corners, Index p) {
-    return (corners.array() == p).any();
-  };
-  Index apex = second[0];
-  for (int c = 1; c < 3; ++c)
-  {
-    apex = isIn(first, second[c]) ? apex : second[c];
-  }
-  std::array<Index, 4> quad{};
-  std::size_t next = 0;
-  for (int c = 0; c < 3; ++c)
-  {
-    quad[next++] = first[c];
-    if (isIn(second, first[c]) && isIn(second, first[(c + 1) % 3]))
-    {
-      quad[next++] = apex;
-    }
-  }
-  return quad;
-}
-
 }
 
 SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray)
@@ -185,54 +157,13 @@ SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray)
   solid.fromVolume = boundary.fromVolume;
   solid.ignoredCells = boundary.ignoredCells + input.ignoredCells;
   solid.ignoredSurfaces = boundary.ignoredSurfaces;
-  fill(solid, boundary, std::move(input));
+  fill(solid.surface, boundary, std::move(input));
   vtkAbstractArray* ids = findFaceIds(data, faceIdArray);
   if (ids && !solid.fromVolume)
   {
-    solid.faceIds = readFaceIds(data, ids, solid.cellIds);
+    solid.surface.faceIds = readFaceIds(data, ids, solid.surface.cellIds);
     solid.faceIdArray = ids->GetName();
   }
   return solid;
-}
-
-std::optional<FaceQuads> quadsOfFaces(
-  const SolidData& data, const SolidSurface& solid, const std::vector<Index>& faceIds)
-{
-  const std::vector<Index> triangles = trianglesOfFaces(solid, faceIds);
-  const auto quadOf = [&](Index t) {
-    return data
-      .quadOfTriangle[static_cast<std::size_t>(solid.triangleRows[static_cast<std::size_t>(t)])];
-  };
-  FaceQuads result;
-  std::vector<Index> corners; // points of the solid
-  for (std::size_t i = 0; i < triangles.size(); i += 2)
-  {
-    const Index quad = quadOf(triangles[i]);
-    if (quad < 0 || i + 1 == triangles.size() || quadOf(triangles[i + 1]) != quad)
-    {
-      return std::nullopt;
-    }
-    const std::array<Index, 4> joined =
-      joinHalves(solid.triangles.row(triangles[i]), solid.triangles.row(triangles[i + 1]));
-    corners.insert(corners.end(), joined.begin(), joined.end());
-    result.cellIds.push_back(data.quadCellIds[static_cast<std::size_t>(quad)]);
-  }
-
-  std::vector<Index> used = corners;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  result.mesh.points.resize(static_cast<Index>(used.size()), 3);
-  for (std::size_t p = 0; p < used.size(); ++p)
-  {
-    result.mesh.points.row(static_cast<Index>(p)) = solid.points.row(used[p]);
-    result.pointIds.push_back(solid.pointRows[static_cast<std::size_t>(used[p])]);
-  }
-  result.mesh.quads.resize(static_cast<Index>(corners.size()) / 4, 4);
-  for (std::size_t c = 0; c < corners.size(); ++c)
-  {
-    result.mesh.quads.data()[c] =
-      std::lower_bound(used.begin(), used.end(), corners[c]) - used.begin();
-  }
-  return result;
 }
 }

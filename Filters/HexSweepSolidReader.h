@@ -8,7 +8,6 @@
 
 #include "Core/Solids/SolidInput.h"
 
-#include <optional>
 #include <string>
 
 class vtkDataSet;
@@ -16,14 +15,9 @@ class vtkDataSet;
 namespace hexsweep
 {
 /// A solid as it stands in a data set. Points and cells go by their ids there.
-struct SolidData : SolidInput
+struct SolidData
 {
-  /// Quad cells of the boundary, for use as source quads.
-  Quads quads;
-  /// Cell of the data set that each quad is (or, of a volume mesh, is a face of).
-  std::vector<Index> quadCellIds;
-  /// Row of `quads` that each triangle is half of; -1: none.
-  std::vector<Index> quadOfTriangle;
+  SolidInput surface;
   std::string faceIdArray;   ///< name of the cell array that was read; empty: none
   bool fromVolume = false;   ///< whether the boundary was made from volume cells
   Index ignoredCells = 0;    ///< vertex and line cells
@@ -45,23 +39,6 @@ struct SolidData : SolidInput
  *        array or does not hold one whole number a cell; coordinates that are not finite.
  */
 SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray = {});
-
-/// Quads of a solid's faces.
-struct FaceQuads
-{
-  QuadMesh mesh;               ///< on the solid's points (merged), normals outward
-  std::vector<Index> pointIds; ///< of the data set, one a point of the mesh
-  std::vector<Index> cellIds;  ///< of the data set, one a quad
-};
-
-/**
- * The quad cells on some faces.
- *
- * @param data  what `solid` was made from.
- * @return nothing where the faces have a cell that is no quad or has collapsed.
- */
-std::optional<FaceQuads> quadsOfFaces(
-  const SolidData& data, const SolidSurface& solid, const std::vector<Index>& faceIds);
 }
 
 #endif

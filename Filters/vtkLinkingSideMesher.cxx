@@ -2,10 +2,7 @@
 #include "vtkLinkingSideMesher.h"
 
 #include "Core/Common/Constants.h"
-#include "Core/Geometry/BoundarySearch.h"
 #include "Core/Linking/LinkingSides.h"
-#include "Core/Solids/FeatureFaces.h"
-#include "Core/Surfaces/OpenEdgeWelding.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepLinkingReport.h"
 #include "HexSweepReader.h"
@@ -26,6 +23,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkLinkingSideMesher);
 
@@ -33,61 +31,11 @@ namespace
 {
 using namespace hexsweep;
 
-/// The surface with coincident points joined and with faces, by id or by angle.
-LinkingSurface linkingSurface(SolidData data, double matchTolerance, double featureAngle)
+/// The sides as they were read.
+LinkingSurface givenSurface(SolidInput input)
 {
-  LinkingSurface surface;
-  const std::vector<Index> welded = weldOpenEdges(data.points, data.triangles, matchTolerance);
-  for (Index i = 0; i < data.triangles.size(); ++i)
-  {
-    Index& point = data.triangles.data()[i];
-    point = welded[static_cast<std::size_t>(point)];
-  }
-  for (Index i = 0; i < data.quads.size(); ++i)
-  {
-    Index& point = data.quads.data()[i];
-    point = welded[static_cast<std::size_t>(point)];
-  }
-  surface.mesh.points = std::move(data.points);
-  surface.mesh.triangles = orientFaces(data.triangles, "linking surface");
-  surface.quads = std::move(data.quads);
-  surface.quadOfTriangle = std::move(data.quadOfTriangle);
-  surface.faceIds = data.faceIds.empty()
-    ? facesByFeatureAngle(surface.mesh.points, surface.mesh.triangles, featureAngle).faceOfTriangle
-    : std::move(data.faceIds);
-  return surface;
-}
-
-/// Number of the loop that each quad's side begins at.
-std::vector<Index> loopsOfQuads(const LinkingMesh& linking, const std::vector<Loop>& loops)
-{
-  std::vector<Index> ids;
-  for (std::size_t l = 0; l < loops.size(); ++l)
-  {
-    ids.insert(
-      ids.end(), loops[l].size() * static_cast<std::size_t>(linking.layers), static_cast<Index>(l));
-  }
-  return ids;
-}
-
-/// What to say where the last rings miss the target cap; empty where they do not.
-std::string checkTarget(vtkDataSet* target, const LinkingMesh& linking,
-  const std::vector<Loop>& loops, double matchTolerance)
-{
-  const TriangleMesh cap = readTriangles(target, "target surface").mesh;
-  const SurfaceTopology topology =
-    checkSurface(orientFaces(cap.triangles, "target surface"), cap.points.rows(), "target surface");
-  checkCap(topology, "target surface");
-  std::vector<Points> rings;
-  Index first = 0;
-  for (const Loop& loop : loops)
-  {
-    const Index n = static_cast<Index>(loop.size());
-    rings.emplace_back(linking.mesh.points.middleRows(first + linking.layers * n, n));
-    first += (linking.layers + 1) * n;
-  }
-  return describeMismatch(boundaryMismatch(cap.points, topology.loops, rings, matchTolerance),
-    "target surface", "last ring of the linking sides");
+  return { { std::move(input.points), std::move(input.triangles) }, std::move(input.faceIds),
+    std::move(input.quads), std::move(input.quadOfTriangle) };
 }
 }
 
@@ -146,8 +94,8 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   const SurfaceTopology topology = checkSurface(quads.quads, quads.points.rows(), "source quads");
   checkCap(topology, "source quads");
   const LinkingSurface surface =
-    linkingSurface(readSolid(inputDataSet(inputs, 1), chosenArray(this)), this->MatchTolerance,
-      this->FeatureAngle * Pi / 180.0);
+    joinLinkingSurface(givenSurface(readSolid(inputDataSet(inputs, 1), chosenArray(this)).surface),
+      this->MatchTolerance, this->FeatureAngle * Pi / 180.0);
   const std::vector<SideTube> sides = splitLinkingSides(surface, quads.points, topology.loops);
   LayerRequest layers;
   layers.layers = this->NumberOfLayers;
@@ -165,7 +113,7 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   addIds(output->GetPointData(), "SourcePointIds", linking.sourcePoint);
   addIds(output->GetPointData(), "SweepLayer", linking.nodeRing);
   addIds(output->GetCellData(), "SweepLayer", linking.quadLayer);
-  addIds(output->GetCellData(), "LoopId", loopsOfQuads(linking, topology.loops));
+  addIds(output->GetCellData(), "LoopId", loopsOfQuads(topology.loops, linking.layers));
   std::vector<Index> faceIds;
   for (std::size_t q = 0; q < linking.quadSide.size(); ++q)
   {
@@ -179,7 +127,8 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   std::vector<std::string> warnings = linkingWarnings(linking);
   if (vtkDataSet* target = inputDataSet(inputs, 2))
   {
-    warnings.push_back(checkTarget(target, linking, topology.loops, this->MatchTolerance));
+    warnings.push_back(describeMissedTarget(linking.mesh.points, topology.loops, linking.layers,
+      readTriangles(target, "target surface").mesh, this->MatchTolerance));
   }
   for (const std::string& warning : warnings)
   {

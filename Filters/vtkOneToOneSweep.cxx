@@ -3,16 +3,19 @@
 
 #include "Core/Common/Constants.h"
 #include "Core/Common/Describe.h"
-#include "Core/Interior/RingAdvance.h"
+#include "Core/Solids/FaceQuads.h"
+#include "Core/Solids/FoundTarget.h"
 #include "Core/Solids/SolidCage.h"
 #include "Core/Solids/SolidInput.h"
+#include "Core/Solids/SourceQuads.h"
 #include "Core/Solids/TargetFaces.h"
 #include "HexSweepBoundaryGrid.h"
-#include "HexSweepRun.h"
-#include "HexSweepWriter.h"
 #include "HexSweepLinkingReport.h"
+#include "HexSweepRun.h"
 #include "HexSweepSolidQuads.h"
+#include "HexSweepSolidReader.h"
 #include "HexSweepVolumeId.h"
+#include "HexSweepWriter.h"
 
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
@@ -31,9 +34,6 @@ vtkStandardNewMacro(vtkOneToOneSweep);
 namespace
 {
 using namespace hexsweep;
-
-/// Share of its way that a sweep to a target that nobody named may go back.
-constexpr double MostBackward = 0.25;
 
 std::vector<InteriorStep> stagesOf(const SolidCage& cage)
 {
@@ -169,25 +169,25 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   }
   StageClock clock;
   vtkDataSet* solidData = inputDataSet(inputs, 0);
-  const SolidData data = readSolid(solidData, chosenArray(this));
+  const SolidInput input = readSolid(solidData, chosenArray(this)).surface;
   clock.finish("Read");
   reportProgress(pipelineProgress(this), 0.02);
 
   SolidOptions options;
   options.matchTolerance = this->MatchTolerance;
   options.featureAngle = this->FeatureAngle * Pi / 180.0;
-  const SolidSurface solid = makeSolidSurface(data, options);
+  const SolidSurface solid = makeSolidSurface(input, options);
   const SweepTopology topology =
     findSweepTopology(solid, { this->SourceFaceIds.begin(), this->SourceFaceIds.end() },
       { this->TargetFaceIds.begin(), this->TargetFaceIds.end() });
   clock.finish("Topology");
   reportProgress(pipelineProgress(this), 0.05);
 
-  SourceQuads quads = sourceQuads(inputDataSet(inputs, 1), solidData, data, solid, topology,
+  SourceCapQuads quads = sourceQuads(inputDataSet(inputs, 1), solidData, input, solid, topology,
     this->QuadSize, pipelineProgress(this, 0.05, 0.15));
   clock.finish("Source quads");
   SolidCageInput cageInput{ solid, topology, std::move(quads.mesh),
-    sidePatches(data, solid, topology), {}, this->MatchTolerance,
+    sidePatches(input, solid, topology), {}, this->MatchTolerance,
     this->OutputPointsPrecision == SINGLE_PRECISION, this->EnsureValid, this->ImproveQuality };
   cageInput.layers.layers = this->NumberOfLayers;
   cageInput.layers.size = this->LayerSize;
@@ -196,13 +196,9 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   cageInput.layers.positions = this->LayerPositions;
   const SolidCage cage = makeSolidCage(cageInput, pipelineProgress(this, 0.15, 0.5));
   clock.finish(stagesOf(cage));
-  if (this->TargetFaceIds.empty() && backwardShare(cage.boundary) > MostBackward)
+  if (this->TargetFaceIds.empty())
   {
-    throw InvalidInput("no target face is named, and only face " +
-      std::to_string(topology.targetFaceIds.front()) +
-      " fits the source cap, but the sides turn back on their way to it, as into a blind hole. "
-      "Name "
-      "the target faces, or cut the solid where it turns back.");
+    checkFoundTarget(cage.boundary, topology.targetFaceIds);
   }
 
   HexOutputSettings settings;

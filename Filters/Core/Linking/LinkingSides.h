@@ -7,6 +7,7 @@
 #define hexsweep_LinkingSides_h
 
 #include "Core/Linking/LinkingSideColumns.h"
+#include "Core/Linking/LinkingSurface.h"
 
 namespace hexsweep
 {
@@ -38,16 +39,6 @@ struct LinkingMesh
   std::vector<Eigen::RowVector3d> lostCorners; ///< see LinkingSideColumns
   std::vector<std::string> refusedPatches;     ///< see LinkingSideColumns
   Index flipped = 0;                           ///< see LinkingSideColumns
-};
-
-/// The surface of all linking sides, as it is given.
-struct LinkingSurface
-{
-  TriangleMesh mesh;          ///< any orientation
-  std::vector<Index> faceIds; ///< one a triangle, or empty
-  Quads quads{ 0, 4 };        ///< cells that were quads before they were cut into triangles
-  /// Row of `quads` that each triangle is half of, -1: none; or empty.
-  std::vector<Index> quadOfTriangle;
 };
 
 /**

@@ -4,8 +4,8 @@
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/Solids/ClosedSurface.h"
-#include "Core/Solids/FeatureFaces.h"
 #include "Core/Solids/SolidMessages.h"
+#include "Core/Surfaces/FeatureFaces.h"
 #include "Core/Surfaces/OpenEdgeWelding.h"
 #include "Core/Surfaces/TriangleAngles.h"
 

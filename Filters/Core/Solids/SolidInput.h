@@ -19,6 +19,12 @@ struct SolidInput
   std::vector<Index> faceIds;
   /// Input cell that each triangle is part of; empty: the triangle's own row.
   std::vector<Index> cellIds;
+  /// Cells that were quads before they were cut into triangles.
+  Quads quads{ 0, 4 };
+  /// Input cell that each quad is (or, of a volume mesh, is a face of).
+  std::vector<Index> quadCellIds;
+  /// Row of `quads` that each triangle is half of, -1: none; empty: there are no quads.
+  std::vector<Index> quadOfTriangle;
 };
 
 struct SolidOptions

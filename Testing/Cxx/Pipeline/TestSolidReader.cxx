@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Solids from every kind of data set; the parts of those of Data/solids against their case.json.
+#include "Core/Solids/FaceQuads.h"
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/TargetFaces.h"
 #include "HexSweepSolidReader.h"
@@ -212,8 +213,8 @@ TEST(SolidReader, TheSolidsComeApartAsTheirCasesSay)
     const SolidData data = readSolid(grid);
     EXPECT_EQ(data.faceIdArray, "FaceId");
     EXPECT_FALSE(data.fromVolume);
-    EXPECT_EQ(data.quads.rows(), 0);
-    const SolidSurface solid = makeSolidSurface(data);
+    EXPECT_EQ(data.surface.quads.rows(), 0);
+    const SolidSurface solid = makeSolidSurface(data.surface);
     EXPECT_EQ(solid.mergedPoints + solid.turnedTriangles + solid.collapsedTriangles, 0);
     EXPECT_EQ(solid.points.rows(), known.points);
     EXPECT_NEAR(volumeOf(solid) / known.volume, 1.0, 1e-9);
@@ -255,8 +256,8 @@ TEST(SolidReader, TheSolidsAsSoupInSinglePrecision)
   {
     SCOPED_TRACE(known.name);
     SolidData data = readSolid(readGrid(known.name + "/solid"));
-    data.points = data.points.cast<float>().cast<double>().eval();
-    const SolidSurface solid = makeSolidSurface(test::soup(data));
+    data.surface.points = data.surface.points.cast<float>().cast<double>().eval();
+    const SolidSurface solid = makeSolidSurface(test::soup(data.surface));
     EXPECT_EQ(solid.points.rows(), known.points);
     EXPECT_EQ(findSweepTopology(solid, { known.source }).targetFaceIds, Ids{ known.target });
   }
@@ -269,10 +270,10 @@ TEST(SolidReader, FacesByAngleLieBetweenTheFeatureEdgesOfVTK)
     SCOPED_TRACE(known.name);
     const Grid grid = readGrid(known.name + "/solid");
     SolidData data = readSolid(grid);
-    data.faceIds.clear();
+    data.surface.faceIds.clear();
     hexsweep::SolidOptions options;
     options.featureAngle = 35.0 * hexsweep::Pi / 180.0;
-    const SolidSurface solid = makeSolidSurface(data, options);
+    const SolidSurface solid = makeSolidSurface(data.surface, options);
 
     vtkNew<vtkDataSetSurfaceFilter> surface;
     surface->SetInputData(grid);
@@ -355,10 +356,10 @@ TEST(SolidReader, PolygonsQuadsAndStrips)
   cylinder->SetHeight(2.0);
   cylinder->Update();
   const SolidData data = readSolid(cylinder->GetOutput());
-  EXPECT_EQ(data.quads.rows(), 12);
-  EXPECT_TRUE(data.faceIds.empty());
+  EXPECT_EQ(data.surface.quads.rows(), 12);
+  EXPECT_TRUE(data.surface.faceIds.empty());
   EXPECT_EQ(data.faceIdArray, "");
-  const SolidSurface solid = makeSolidSurface(data);
+  const SolidSurface solid = makeSolidSurface(data.surface);
   // Source and output of VTK are single precision.
   EXPECT_NEAR(volumeOf(solid), 12.0 * std::sin(hexsweep::Pi / 6.0), 1e-5);
   EXPECT_EQ(findSweepTopology(solid, { solid.faceIds.back() }).sides.size(), 1u);
@@ -372,7 +373,7 @@ TEST(SolidReader, PolygonsQuadsAndStrips)
   strips->SetInputConnection(clean->GetOutputPort());
   strips->Update();
   ASSERT_GT(strips->GetOutput()->GetNumberOfStrips(), 0);
-  EXPECT_NEAR(volumeOf(makeSolidSurface(readSolid(strips->GetOutput()))), 1.0, 1e-12);
+  EXPECT_NEAR(volumeOf(makeSolidSurface(readSolid(strips->GetOutput()).surface)), 1.0, 1e-12);
 }
 
 TEST(SolidReader, TheVolumeOfVTK)
@@ -385,7 +386,8 @@ TEST(SolidReader, TheVolumeOfVTK)
     mass->SetInputConnection(surface->GetOutputPort());
     mass->Update();
     EXPECT_NEAR(
-      volumeOf(makeSolidSurface(readSolid(surface->GetOutput()))) / mass->GetVolume(), 1.0, 1e-6);
+      volumeOf(makeSolidSurface(readSolid(surface->GetOutput()).surface)) / mass->GetVolume(), 1.0,
+      1e-6);
   }
 }
 
@@ -405,12 +407,12 @@ TEST(SolidReader, QuadsOfAFace)
   cube->GetPolys()->ReplaceCellAtId(5, 4, turned);
 
   const SolidData data = readSolid(cube);
-  const SolidSurface solid = makeSolidSurface(data);
+  const SolidSurface solid = makeSolidSurface(data.surface);
   EXPECT_EQ(solid.mergedPoints, 16);
   EXPECT_EQ(solid.turnedTriangles, 2);
   for (const Ids& faces : { Ids{ 6 }, Ids{ 1, 6 }, Ids{ 1, 2, 3, 4, 5, 6 } })
   {
-    const auto quads = hexsweep::quadsOfFaces(data, solid, faces);
+    const auto quads = hexsweep::quadsOfFaces(data.surface, solid, faces);
     ASSERT_TRUE(quads);
     EXPECT_EQ(quads->mesh.quads.rows(), static_cast<Index>(faces.size()));
     EXPECT_EQ(quads->mesh.points.rows(), faces.size() == 1 ? 4 : faces.size() == 2 ? 6 : 8);
@@ -444,7 +446,7 @@ TEST(SolidReader, QuadsOfAFace)
   triangles->SetInputData(cube);
   triangles->Update();
   const SolidData other = readSolid(triangles->GetOutput());
-  EXPECT_FALSE(hexsweep::quadsOfFaces(other, makeSolidSurface(other), { 6 }));
+  EXPECT_FALSE(hexsweep::quadsOfFaces(other.surface, makeSolidSurface(other.surface), { 6 }));
 }
 
 TEST(SolidReader, SurfaceCellsBesideVolumesKeepTheirIds)
@@ -454,8 +456,8 @@ TEST(SolidReader, SurfaceCellsBesideVolumesKeepTheirIds)
   EXPECT_FALSE(data.fromVolume);
   EXPECT_EQ(data.faceIdArray, "CellEntityIds");
   EXPECT_EQ(data.ignoredCells, 2);
-  EXPECT_EQ(data.points.rows(), grid->GetNumberOfPoints());
-  const SolidSurface solid = makeSolidSurface(data);
+  EXPECT_EQ(data.surface.points.rows(), grid->GetNumberOfPoints());
+  const SolidSurface solid = makeSolidSurface(data.surface);
   EXPECT_NEAR(volumeOf(solid), 12.0, 1e-12);
   const SweepTopology topology = findSweepTopology(solid, { 3 });
   EXPECT_EQ(topology.targetFaceIds, Ids{ 23 });
@@ -513,13 +515,13 @@ TEST(SolidReader, SurfaceCellsBetweenVolumesAreLeftOut)
   const SolidData data = readSolid(mesh);
   EXPECT_FALSE(data.fromVolume);
   EXPECT_EQ(data.ignoredSurfaces, 4);
-  EXPECT_EQ(data.quads.rows(), 40);
-  const SolidSurface solid = makeSolidSurface(data);
+  EXPECT_EQ(data.surface.quads.rows(), 40);
+  const SolidSurface solid = makeSolidSurface(data.surface);
   EXPECT_NEAR(volumeOf(solid), 16.0, 1e-12);
   const SweepTopology topology = findSweepTopology(solid, { 10 });
   EXPECT_EQ(topology.targetFaceIds, Ids{ 14 });
   EXPECT_EQ(topology.sides[0].faceIds, (Ids{ 20, 22, 30, 32 }));
-  const auto quads = hexsweep::quadsOfFaces(data, solid, { 10 });
+  const auto quads = hexsweep::quadsOfFaces(data.surface, solid, { 10 });
   ASSERT_TRUE(quads);
   EXPECT_EQ(quads->mesh.quads.rows(), 4);
 }
@@ -546,8 +548,8 @@ TEST(SolidReader, AClosedSurfaceThatIsNotTheVolumesOwn)
   both->Update();
   const SolidData data = readSolid(both->GetOutput());
   EXPECT_FALSE(data.fromVolume);
-  EXPECT_EQ(data.triangles.rows(), 12);
-  EXPECT_EQ(std::set<Index>(data.faceIds.begin(), data.faceIds.end()).size(), 6u);
+  EXPECT_EQ(data.surface.triangles.rows(), 12);
+  EXPECT_EQ(std::set<Index>(data.surface.faceIds.begin(), data.surface.faceIds.end()).size(), 6u);
 }
 
 TEST(SolidReader, VolumesGiveTheirBoundary)
@@ -555,15 +557,15 @@ TEST(SolidReader, VolumesGiveTheirBoundary)
   // The surface cells do not close: they are left alone.
   const SolidData open = readSolid(gmshBox(1));
   EXPECT_TRUE(open.fromVolume);
-  EXPECT_TRUE(open.faceIds.empty());
+  EXPECT_TRUE(open.surface.faceIds.empty());
   EXPECT_GT(open.ignoredSurfaces, 10);
-  EXPECT_NEAR(volumeOf(makeSolidSurface(open)), 12.0, 1e-12);
+  EXPECT_NEAR(volumeOf(makeSolidSurface(open.surface)), 12.0, 1e-12);
 
   const Grid hexes = hexBox(3, 2, 2);
   const SolidData data = readSolid(hexes);
   EXPECT_TRUE(data.fromVolume);
-  EXPECT_EQ(data.quads.rows(), 2 * (6 + 6 + 4));
-  const SolidSurface solid = makeSolidSurface(data);
+  EXPECT_EQ(data.surface.quads.rows(), 2 * (6 + 6 + 4));
+  const SolidSurface solid = makeSolidSurface(data.surface);
   EXPECT_NEAR(volumeOf(solid), 12.0, 1e-12);
   EXPECT_EQ(std::set<Index>(solid.faceIds.begin(), solid.faceIds.end()).size(), 6u);
   for (Index t = 0; t < solid.triangles.rows(); ++t)
@@ -577,7 +579,7 @@ TEST(SolidReader, VolumesGiveTheirBoundary)
       EXPECT_GE(corners->IsId(p), 0);
     }
   }
-  const auto quads = hexsweep::quadsOfFaces(data, solid, { solid.faceIds[0] });
+  const auto quads = hexsweep::quadsOfFaces(data.surface, solid, { solid.faceIds[0] });
   ASSERT_TRUE(quads);
   EXPECT_GE(quads->mesh.quads.rows(), 4);
 }
@@ -588,12 +590,12 @@ TEST(SolidReader, WhichArrayHasTheFaceIds)
   source->Update();
   vtkPolyData* cube = source->GetOutput();
   addIds(cube, "CellEntityIds", { 1, 2, 3, 4, 5, 6 });
-  EXPECT_EQ(readSolid(cube).faceIds.front(), 1);
+  EXPECT_EQ(readSolid(cube).surface.faceIds.front(), 1);
   addIds(cube, "FaceId", { 11, 12, 13, 14, 15, 16 });
-  EXPECT_EQ(readSolid(cube).faceIds.front(), 11);
+  EXPECT_EQ(readSolid(cube).surface.faceIds.front(), 11);
   addIds(cube, "Other", { 21, 22, 23, 24, 25, 26 });
-  EXPECT_EQ(
-    readSolid(cube, "Other").faceIds, (Ids{ 21, 21, 22, 22, 23, 23, 24, 24, 25, 25, 26, 26 }));
+  EXPECT_EQ(readSolid(cube, "Other").surface.faceIds,
+    (Ids{ 21, 21, 22, 22, 23, 23, 24, 24, 25, 25, 26, 26 }));
   EXPECT_EQ(readSolid(cube, "Other").faceIdArray, "Other");
 
   vtkNew<vtkDoubleArray> real;
@@ -607,8 +609,8 @@ TEST(SolidReader, WhichArrayHasTheFaceIds)
   }
   cube->GetCellData()->AddArray(real);
   cube->GetCellData()->AddArray(large);
-  EXPECT_EQ(readSolid(cube, "Real").faceIds.front(), -3);
-  EXPECT_EQ(readSolid(cube, "Large").faceIds.back(), (1LL << 60) + 5);
+  EXPECT_EQ(readSolid(cube, "Real").surface.faceIds.front(), -3);
+  EXPECT_EQ(readSolid(cube, "Large").surface.faceIds.back(), (1LL << 60) + 5);
   real->SetValue(4, 0.5);
   expectInvalid([&] { readSolid(cube, "Real"); }, "not whole: 0.5 in cell 4");
   real->SetValue(4, vtkMath::Nan());

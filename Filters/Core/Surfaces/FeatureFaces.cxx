@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Solids/FeatureFaces.h"
+#include "Core/Surfaces/FeatureFaces.h"
 
 #include "Core/Common/Constants.h"
 #include "Core/Common/Describe.h"

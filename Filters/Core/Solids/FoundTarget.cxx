@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/FoundTarget.h"
+
+#include "Core/Common/Errors.h"
+#include "Core/Interior/RingAdvance.h"
+
+#include <string>
+
+namespace hexsweep
+{
+namespace
+{
+/// Share of its way that a sweep to a target that nobody named may go back.
+constexpr double MostBackward = 0.25;
+}
+
+void checkFoundTarget(const SweepBoundary& boundary, const std::vector<Index>& targetFaceIds)
+{
+  if (backwardShare(boundary) > MostBackward)
+  {
+    throw InvalidInput("no target face is named, and only face " +
+      std::to_string(targetFaceIds.front()) +
+      " fits the source cap, but the sides turn back on their way to it, as into a blind hole. "
+      "Name the target faces, or cut the solid where it turns back.");
+  }
+}
+}

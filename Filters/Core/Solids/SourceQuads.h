@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Quads for the source cap of a solid that brings none.
+ */
+#ifndef hexsweep_SourceQuads_h
+#define hexsweep_SourceQuads_h
+
+#include "Core/Solids/SolidInput.h"
+#include "Core/Solids/SweepTopology.h"
+
+#include <utility>
+#include <vector>
+
+namespace hexsweep
+{
+struct SourceQuads
+{
+  QuadMesh mesh;      ///< outward
+  Index inverted = 0; ///< of these quads
+  double size = 0.0;  ///< edge length that they were to have
+};
+
+/**
+ * Meshes the source cap so that the quads fit the sides: borders between faces of the sides begin
+ * at nodes, and edges at which quads of the sides begin are kept.
+ *
+ * @param input what `solid` was made from.
+ * @param size  edge length; 0: that of the edges that are kept, else see defaultQuadSize(), no less
+ *              than half a facet of the cap's curves.
+ * @throw InvalidInput for a size that is negative or not finite, and as meshCapWithQuads().
+ * @throw Aborted.
+ */
+SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
+  const SweepTopology& topology, double size, const Progress& progress = {});
+
+/// Where the borders between the faces of linking sides begin: points of the solid on the loops of
+/// the source cap.
+std::vector<Index> edgeStarts(const SolidSurface& solid, const SweepTopology& topology);
+
+/// Edges of the source cap at which quads of the sides begin, as pairs of points of the solid.
+std::vector<std::pair<Index, Index>> meshedEdges(
+  const SolidInput& input, const SolidSurface& solid, const SweepTopology& topology);
+
+/// Degrees: by how much the loops of the source cap turn at most, but for borders between faces;
+/// 0 where that is less than 10.
+double greatestFacetTurn(const SolidSurface& solid, const SweepTopology& topology);
+}
+
+#endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepBoundaryGrid.h"
 
+#include "HexSweepArrays.h"
 #include "HexSweepWriter.h"
 
 #include <vtkCellData.h>
@@ -44,18 +45,18 @@ void writeBoundary(const SolidCage& cage, const SolidSurface& solid, const Sweep
   const Index count = static_cast<Index>(boundary.size());
   std::vector<Index> newId(static_cast<std::size_t>(hexes->GetNumberOfPoints()), -1);
   vtkNew<vtkIdTypeArray> hexPointIds;
-  hexPointIds->SetName("HexPointIds");
+  hexPointIds->SetName(arrays::HexPointIds);
   vtkNew<vtkPoints> points;
   points->SetDataType(hexes->GetPoints()->GetDataType());
   Quads quads(count, 4);
   vtkNew<vtkIdTypeArray> faceIds;
-  faceIds->SetName("BoundaryId");
+  faceIds->SetName(arrays::BoundaryId);
   vtkNew<vtkUnsignedCharArray> parts;
-  parts->SetName("BoundaryPart");
+  parts->SetName(arrays::BoundaryPart);
   vtkNew<vtkIdTypeArray> hexIds;
-  hexIds->SetName("HexId");
+  hexIds->SetName(arrays::HexId);
   vtkNew<vtkUnsignedCharArray> sides;
-  sides->SetName("HexSide");
+  sides->SetName(arrays::HexSide);
   faceIds->SetNumberOfValues(count);
   parts->SetNumberOfValues(count);
   hexIds->SetNumberOfValues(count);
@@ -86,6 +87,6 @@ void writeBoundary(const SolidCage& cage, const SolidSurface& solid, const Sweep
   cellData->AddArray(parts);
   cellData->AddArray(hexIds);
   cellData->AddArray(sides);
-  cellData->SetActiveScalars("BoundaryId");
+  cellData->SetActiveScalars(arrays::BoundaryId);
 }
 }

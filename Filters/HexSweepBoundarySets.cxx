@@ -3,6 +3,8 @@
 
 #include "Core/Common/Errors.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -82,9 +84,9 @@ void checkCells(vtkUnstructuredGrid* grid, const std::string& what, int type, co
 /// Every quad must be the side that it names, or sets of another mesh would be written.
 void checkSides(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
-  vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
-  vtkDataArray* hexSides = boundary->GetCellData()->GetArray("HexSide");
-  vtkDataArray* pointIds = boundary->GetPointData()->GetArray("HexPointIds");
+  vtkDataArray* hexIds = boundary->GetCellData()->GetArray(arrays::HexId);
+  vtkDataArray* hexSides = boundary->GetCellData()->GetArray(arrays::HexSide);
+  vtkDataArray* pointIds = boundary->GetPointData()->GetArray(arrays::HexPointIds);
   vtkNew<vtkIdList> corners;
   vtkNew<vtkIdList> nodes;
   for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
@@ -116,18 +118,18 @@ void checkBoundary(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
   checkCells(hexes, "mesh of hexahedra", VTK_HEXAHEDRON, "hexahedron");
   checkCells(boundary, "boundary", VTK_QUAD, "quad");
   constexpr vtkIdType Largest = std::numeric_limits<vtkIdType>::max() / 2;
-  checkedIds(boundary->GetCellData(), "BoundaryId", -Largest, Largest);
-  checkedIds(boundary->GetCellData(), "BoundaryPart", 0, 2);
-  checkedIds(boundary->GetCellData(), "HexId", 0, hexes->GetNumberOfCells() - 1);
-  checkedIds(boundary->GetCellData(), "HexSide", 1, 6);
-  checkedIds(boundary->GetPointData(), "HexPointIds", 0, hexes->GetNumberOfPoints() - 1);
+  checkedIds(boundary->GetCellData(), arrays::BoundaryId, -Largest, Largest);
+  checkedIds(boundary->GetCellData(), arrays::BoundaryPart, 0, 2);
+  checkedIds(boundary->GetCellData(), arrays::HexId, 0, hexes->GetNumberOfCells() - 1);
+  checkedIds(boundary->GetCellData(), arrays::HexSide, 1, 6);
+  checkedIds(boundary->GetPointData(), arrays::HexPointIds, 0, hexes->GetNumberOfPoints() - 1);
   checkSides(hexes, boundary);
 }
 
 bool isTextOrReport(vtkAbstractArray* array)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
-  return name.empty() || !vtkDataArray::SafeDownCast(array) || name.rfind("SweepReport", 0) == 0;
+  return name.empty() || !vtkDataArray::SafeDownCast(array) || name.rfind(reports::Prefix, 0) == 0;
 }
 
 /// The ids from 1 on.
@@ -142,7 +144,7 @@ vtkSmartPointer<vtkIdTypeArray> newGlobalIds(const char* name, vtkIdType count)
 
 vtkSmartPointer<vtkIntArray> newBlockIds(vtkUnstructuredGrid* hexes)
 {
-  vtkDataArray* volumes = hexes->GetCellData()->GetArray("VolumeId");
+  vtkDataArray* volumes = hexes->GetCellData()->GetArray(arrays::VolumeId);
   auto ids = vtkSmartPointer<vtkIntArray>::New();
   ids->SetName("ObjectId");
   ids->SetNumberOfValues(hexes->GetNumberOfCells());
@@ -166,7 +168,7 @@ std::vector<vtkIdType> boundaryFirst(vtkUnstructuredGrid* hexes, vtkUnstructured
       order.push_back(hex);
     }
   };
-  vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
+  vtkDataArray* hexIds = boundary->GetCellData()->GetArray(arrays::HexId);
   for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
   {
     take(idAt(hexIds, q));
@@ -189,7 +191,7 @@ struct UsedPoints
   {
     this->points->SetDataType(boundary->GetPoints()->GetDataType());
     this->globalIds->SetName("GlobalNodeId");
-    vtkDataArray* hexPointIds = boundary->GetPointData()->GetArray("HexPointIds");
+    vtkDataArray* hexPointIds = boundary->GetPointData()->GetArray(arrays::HexPointIds);
     vtkNew<vtkIdList> corners;
     for (const vtkIdType quad : set.quads)
     {
@@ -210,8 +212,8 @@ struct UsedPoints
 std::vector<BoundarySet> boundarySets(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
   checkBoundary(hexes, boundary);
-  vtkDataArray* faces = boundary->GetCellData()->GetArray("BoundaryId");
-  vtkDataArray* parts = boundary->GetCellData()->GetArray("BoundaryPart");
+  vtkDataArray* faces = boundary->GetCellData()->GetArray(arrays::BoundaryId);
+  vtkDataArray* parts = boundary->GetCellData()->GetArray(arrays::BoundaryPart);
   std::map<vtkIdType, std::vector<vtkIdType>> byFace;
   std::map<vtkIdType, std::vector<vtkIdType>> byPart;
   for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
@@ -239,12 +241,13 @@ std::vector<BoundarySet> boundarySets(vtkUnstructuredGrid* hexes, vtkUnstructure
 
 std::string volumeName(vtkUnstructuredGrid* hexes)
 {
-  auto* names = vtkStringArray::SafeDownCast(hexes->GetFieldData()->GetAbstractArray("VolumeName"));
+  auto* names =
+    vtkStringArray::SafeDownCast(hexes->GetFieldData()->GetAbstractArray(arrays::VolumeName));
   if (names && names->GetNumberOfValues() > 0 && !names->GetValue(0).empty())
   {
     return names->GetValue(0);
   }
-  vtkDataArray* volumes = hexes->GetCellData()->GetArray("VolumeId");
+  vtkDataArray* volumes = hexes->GetCellData()->GetArray(arrays::VolumeId);
   return "Volume " + std::to_string(volumes ? idAt(volumes, 0) : vtkIdType{ 1 });
 }
 
@@ -288,8 +291,8 @@ vtkSmartPointer<vtkUnstructuredGrid> newSideSet(
   vtkUnstructuredGrid* boundary, const BoundarySet& set)
 {
   const UsedPoints used(boundary, set);
-  vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
-  vtkDataArray* hexSides = boundary->GetCellData()->GetArray("HexSide");
+  vtkDataArray* hexIds = boundary->GetCellData()->GetArray(arrays::HexId);
+  vtkDataArray* hexSides = boundary->GetCellData()->GetArray(arrays::HexSide);
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkIdTypeArray> elements;
   elements->SetName("SourceElementId");

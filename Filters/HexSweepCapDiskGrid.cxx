@@ -6,6 +6,7 @@
 #include "Core/DiskMaps/MapDistortion.h"
 #include "Core/Solvers/SurfaceLaplacian.h"
 #include "Core/Surfaces/SurfaceTopology.h"
+#include "HexSweepArrays.h"
 #include "HexSweepReader.h"
 #include "HexSweepWriter.h"
 
@@ -29,8 +30,6 @@ namespace hexsweep
 namespace
 {
 constexpr std::size_t FlipsToName = 10;
-constexpr const char* HoleCirclesName = "HoleCircles";
-constexpr const char* WeightsName = "SweepReportMethod";
 
 const char* nameOf(DiskDomain domain)
 {
@@ -131,23 +130,23 @@ void copyAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
 void writeMapReport(const CapDisk& cap, vtkFieldData* field)
 {
   const MapDistortion distortion = mapDistortion(cap);
-  addReport(field, "SweepReportLoops", static_cast<Index>(cap.loops.size()));
-  addReport(field, "SweepReportDirichletEnergy", distortion.dirichletEnergy);
-  addReport(field, "SweepReportWorstAngleDistortion", distortion.worstAngle);
-  addReport(field, "SweepReportMeanAngleDistortion", distortion.meanAngle);
+  addReport(field, reports::Loops, static_cast<Index>(cap.loops.size()));
+  addReport(field, reports::DirichletEnergy, distortion.dirichletEnergy);
+  addReport(field, reports::WorstAngleDistortion, distortion.worstAngle);
+  addReport(field, reports::MeanAngleDistortion, distortion.meanAngle);
   if (cap.rounds.empty())
   {
     return;
   }
-  addReport(field, "SweepReportKoebeRounds", static_cast<Index>(cap.rounds.size()));
-  addReport(field, "SweepReportKoebeConverged", static_cast<Index>(cap.converged ? 1 : 0));
+  addReport(field, reports::KoebeRounds, static_cast<Index>(cap.rounds.size()));
+  addReport(field, reports::KoebeConverged, static_cast<Index>(cap.converged ? 1 : 0));
   std::vector<double> changes;
   for (std::size_t r = 1; r < cap.rounds.size(); ++r)
   {
     changes.push_back(cap.rounds[r].change);
   }
-  addReport(field, "SweepReportKoebeChanges", changes);
-  addReport(field, "SweepReportCircularity", cap.circularity);
+  addReport(field, reports::KoebeChanges, changes);
+  addReport(field, reports::Circularity, cap.circularity);
 }
 
 Points arrayPoints(vtkDataArray* array)
@@ -180,44 +179,45 @@ void writeCapDisk(const CapDisk& cap, const CapOrigin& origin, int precision, bo
     cellIds.push_back(origin.cellIds[static_cast<std::size_t>(face)]);
   }
   copyAttributes(
-    origin.data->GetPointData(), output->GetPointData(), pointIds, OriginalPointIdsName);
-  copyAttributes(origin.data->GetCellData(), output->GetCellData(), cellIds, OriginalCellIdsName);
-  output->GetPointData()->AddArray(vectors(DiskCoordinatesName, disk));
+    origin.data->GetPointData(), output->GetPointData(), pointIds, arrays::OriginalPointIds);
+  copyAttributes(
+    origin.data->GetCellData(), output->GetCellData(), cellIds, arrays::OriginalCellIds);
+  output->GetPointData()->AddArray(vectors(arrays::DiskCoordinates, disk));
   if (outputDisk)
   {
-    output->GetPointData()->AddArray(vectors(SurfacePointsName, cap.mesh.points));
+    output->GetPointData()->AddArray(vectors(arrays::SurfacePoints, cap.mesh.points));
   }
 
   vtkFieldData* field = output->GetFieldData();
   field->PassData(origin.data->GetFieldData());
-  addReport(field, DiskMapDomainName, std::string(nameOf(cap.domain)));
-  addReport(field, WeightsName, std::string(nameOf(cap.weights)));
-  addReport(field, "SweepReportFlipsBefore", cap.flipsBefore);
-  addReport(field, "SweepReportFlipsAfter", static_cast<Index>(cap.flipped.size()));
-  addReport(field, "SweepReportEdgeFlips", cap.edgeFlips);
-  addReport(field, "SweepReportAddedPoints", cap.addedPoints);
-  addReport(field, "SweepReportIgnoredCells", origin.ignoredCells);
+  addReport(field, arrays::DiskMapDomain, std::string(nameOf(cap.domain)));
+  addReport(field, reports::Method, std::string(nameOf(cap.weights)));
+  addReport(field, reports::FlipsBefore, cap.flipsBefore);
+  addReport(field, reports::FlipsAfter, static_cast<Index>(cap.flipped.size()));
+  addReport(field, reports::EdgeFlips, cap.edgeFlips);
+  addReport(field, reports::AddedPoints, cap.addedPoints);
+  addReport(field, reports::IgnoredCells, origin.ignoredCells);
   Points circles(static_cast<Index>(cap.holes.size()), 3);
   for (std::size_t h = 0; h < cap.holes.size(); ++h)
   {
     circles.row(static_cast<Index>(h)) << cap.holes[h].center.x(), cap.holes[h].center.y(),
       cap.holes[h].radius;
   }
-  field->AddArray(vectors(HoleCirclesName, circles));
+  field->AddArray(vectors(arrays::HoleCircles, circles));
   writeMapReport(cap, field);
 }
 
 CapDisk readCapDisk(vtkDataSet* data, const std::string& what)
 {
   TriangleInput surface = readTriangles(data, what);
-  vtkDataArray* disk = data->GetPointData()->GetArray(DiskCoordinatesName);
+  vtkDataArray* disk = data->GetPointData()->GetArray(arrays::DiskCoordinates);
   if (!disk || disk->GetNumberOfComponents() != 3)
   {
-    throw InvalidInput("the " + what + " has no point array " + DiskCoordinatesName +
+    throw InvalidInput("the " + what + " has no point array " + arrays::DiskCoordinates +
       " with 3 components. Apply HarmonicDiskMap to it first, or set DiskMaps to Automatic.");
   }
   CapDisk cap;
-  vtkDataArray* ownPoints = data->GetPointData()->GetArray(SurfacePointsName);
+  vtkDataArray* ownPoints = data->GetPointData()->GetArray(arrays::SurfacePoints);
   cap.mesh.points = ownPoints ? arrayPoints(ownPoints) : std::move(surface.mesh.points);
   cap.mesh.triangles = std::move(surface.mesh.triangles);
   cap.triangleOrigin = std::move(surface.cellIds);
@@ -225,20 +225,20 @@ CapDisk readCapDisk(vtkDataSet* data, const std::string& what)
   cap.disk = arrayPoints(disk).leftCols<2>();
   if (!cap.disk.allFinite())
   {
-    throw InvalidInput("the " + what + ": array " + DiskCoordinatesName +
+    throw InvalidInput("the " + what + ": array " + arrays::DiskCoordinates +
       " has values that are not finite. Apply HarmonicDiskMap again.");
   }
   const auto* domain =
-    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(DiskMapDomainName));
+    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(arrays::DiskMapDomain));
   cap.domain = domain && domain->GetNumberOfValues() > 0
     ? domainNamed(const_cast<vtkStringArray*>(domain)->GetValue(0))
     : DiskDomain::Disk;
   const auto* weights =
-    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(WeightsName));
+    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(reports::Method));
   cap.weights = weights && weights->GetNumberOfValues() > 0
     ? weightsNamed(const_cast<vtkStringArray*>(weights)->GetValue(0))
     : Weights::Cotangent;
-  vtkDataArray* circles = data->GetFieldData()->GetArray(HoleCirclesName);
+  vtkDataArray* circles = data->GetFieldData()->GetArray(arrays::HoleCircles);
   if (circles && circles->GetNumberOfComponents() == 3)
   {
     const Points holes = arrayPoints(circles);

@@ -17,13 +17,6 @@ class vtkUnstructuredGrid;
 
 namespace hexsweep
 {
-/// Names of the arrays that carry a disk map.
-constexpr const char* DiskCoordinatesName = "DiskCoordinates";
-constexpr const char* SurfacePointsName = "SurfacePoints";
-constexpr const char* OriginalPointIdsName = "OriginalPointIds";
-constexpr const char* OriginalCellIdsName = "OriginalCellIds";
-constexpr const char* DiskMapDomainName = "DiskMapDomain";
-
 /// What a cap was read from.
 struct CapOrigin
 {
@@ -33,8 +26,9 @@ struct CapOrigin
 };
 
 /**
- * Fills the grid with the mapped triangles, the arrays above, the attributes of the input's cells
- * and points (null values on added points), and the field data of the map.
+ * Fills the grid with the mapped triangles, the arrays of a disk map (HexSweepArrays.h), the
+ * attributes of the input's cells and points (null values on added points), and the field data of
+ * the map.
  *
  * @param outputDisk put the points into the disk, the surface's own into `SurfacePoints`.
  */

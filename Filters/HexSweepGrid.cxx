@@ -2,6 +2,7 @@
 #include "HexSweepGrid.h"
 
 #include "Core/Common/StoppablePieces.h"
+#include "HexSweepArrays.h"
 #include "HexSweepRun.h"
 
 #include <vtkAlgorithm.h>
@@ -192,7 +193,7 @@ vtkSmartPointer<vtkIdTypeArray> newRepeatedIds(
 vtkSmartPointer<vtkIdTypeArray> newLayerNumbers(
   Index perLayer, Index layers, const Progress& progress)
 {
-  auto array = newIds("SweepLayer", perLayer * layers);
+  auto array = newIds(arrays::SweepLayer, perLayer * layers);
   vtkIdType* to = array->GetPointer(0);
   forPartsOfLayers(perLayer, layers, 1, progress, [&](Index k, Index begin, Index end) {
     std::fill(to + k * perLayer + begin, to + k * perLayer + end, static_cast<vtkIdType>(k));

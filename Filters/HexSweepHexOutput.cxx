@@ -4,12 +4,13 @@
 #include "Core/Common/Errors.h"
 #include "Core/Common/StoppablePieces.h"
 #include "Core/Interior/SweptHexes.h"
-#include "HexSweepRun.h"
-#include "HexSweepWriter.h"
+#include "HexSweepArrays.h"
 #include "HexSweepGrid.h"
 #include "HexSweepHexText.h"
 #include "HexSweepMethods.h"
 #include "HexSweepQualityArrays.h"
+#include "HexSweepRun.h"
+#include "HexSweepWriter.h"
 #include "vtkCageHexInterior.h"
 
 #include <vtkCellData.h>
@@ -44,10 +45,10 @@ void fillGrid(const PointsRef& points, vtkIdTypeArray* connectivity, Index layer
     carryAttributes(source.data->GetCellData(), source.cellIds, layers, cellData, part(0.5, 0.6));
   }
   pointData->AddArray(
-    newRepeatedIds("SourcePointIds", source.pointIds, layers + 1, part(0.6, 0.7)));
+    newRepeatedIds(arrays::SourcePointIds, source.pointIds, layers + 1, part(0.6, 0.7)));
   pointData->AddArray(
     newLayerNumbers(static_cast<Index>(source.pointIds.size()), layers + 1, part(0.7, 0.8)));
-  cellData->AddArray(newRepeatedIds("SourceCellIds", source.cellIds, layers, part(0.8, 0.9)));
+  cellData->AddArray(newRepeatedIds(arrays::SourceCellIds, source.cellIds, layers, part(0.8, 0.9)));
   cellData->AddArray(
     newLayerNumbers(static_cast<Index>(source.cellIds.size()), layers, part(0.9, 1.0)));
 }
@@ -64,7 +65,7 @@ void addQualities(
     }
   });
   arrays.addTo(cellData);
-  cellData->SetActiveScalars("ScaledJacobian");
+  cellData->SetActiveScalars(arrays::ScaledJacobian);
 }
 }
 
@@ -128,7 +129,7 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   addQualities(qualities, progressPart(progress, 0.98, 1.0), output->GetCellData());
   vtkFieldData* fieldData = output->GetFieldData();
   addQualityReport(fieldData, summary);
-  addReport(fieldData, "SweepReportMethod", interior.method);
+  addReport(fieldData, reports::Method, interior.method);
   addStepReport(fieldData, interior, options);
   return result;
 }

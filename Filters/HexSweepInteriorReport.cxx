@@ -2,14 +2,15 @@
 #include "HexSweepInteriorReport.h"
 
 #include "Core/Common/Describe.h"
+#include "HexSweepArrays.h"
 #include "HexSweepWriter.h"
 
 namespace hexsweep
 {
 void StageClock::report(vtkFieldData* fieldData) const
 {
-  addReport(fieldData, "SweepReportStages", this->Names);
-  addReport(fieldData, "SweepReportSeconds", this->Seconds);
+  addReport(fieldData, reports::Stages, this->Names);
+  addReport(fieldData, reports::Seconds, this->Seconds);
 }
 
 void addStepReport(
@@ -28,12 +29,12 @@ void addStepReport(
     notCertified.push_back(static_cast<double>(step.notCertified));
     mended.push_back(static_cast<double>(step.mended));
   }
-  addReport(fieldData, "SweepReportSteps", names);
-  addReport(fieldData, "SweepReportStepNotCertified", notCertified);
-  addReport(fieldData, "SweepReportStepMended", mended);
-  addReport(fieldData, "SweepReportFloorScaledJacobian", interior.fixed.floor);
+  addReport(fieldData, reports::Steps, names);
+  addReport(fieldData, reports::StepNotCertified, notCertified);
+  addReport(fieldData, reports::StepMended, mended);
+  addReport(fieldData, reports::FloorScaledJacobian, interior.fixed.floor);
   addReport(
-    fieldData, "SweepReportCornerConflicts", static_cast<Index>(interior.fixed.conflicts.size()));
+    fieldData, reports::CornerConflicts, static_cast<Index>(interior.fixed.conflicts.size()));
 }
 
 namespace

@@ -2,6 +2,7 @@
 #include "HexSweepLinkingReport.h"
 
 #include "Core/Common/Describe.h"
+#include "HexSweepArrays.h"
 #include "HexSweepWriter.h"
 
 namespace hexsweep
@@ -50,9 +51,9 @@ std::vector<std::string> linkingWarnings(const LinkingMesh& linking)
 
 void addLinkingReport(vtkFieldData* fieldData, const LinkingMesh& linking)
 {
-  addReport(fieldData, "SweepReportLayers", linking.layers);
-  addReport(fieldData, "SweepReportKeptEdges", linking.keptEdges);
-  addReport(fieldData, "SweepReportLostEdges", static_cast<Index>(linking.lostEdges.size()));
-  addReport(fieldData, "SweepReportMeanColumnLength", linking.meanColumnLength);
+  addReport(fieldData, reports::Layers, linking.layers);
+  addReport(fieldData, reports::KeptEdges, linking.keptEdges);
+  addReport(fieldData, reports::LostEdges, static_cast<Index>(linking.lostEdges.size()));
+  addReport(fieldData, reports::MeanColumnLength, linking.meanColumnLength);
 }
 }

@@ -4,6 +4,7 @@
 #include "Core/Common/Constants.h"
 #include "Core/Common/Describe.h"
 #include "Core/Linking/LoopMatching.h"
+#include "HexSweepArrays.h"
 #include "HexSweepCapDiskGrid.h"
 #include "HexSweepWriter.h"
 
@@ -99,33 +100,32 @@ std::string describeInverted(const SweepProjection& projection, const QuadsRef& 
 void addProjectionReport(
   vtkFieldData* field, const SweepProjection& projection, const std::string& method)
 {
-  addReport(field, "SweepReportMethod", method);
-  addReport(field, "SweepReportInvertedQuads", projection.quality.inverted);
-  addReport(field, "SweepReportInvertedBefore", projection.invertedBefore);
-  addReport(field, "SweepReportRounds", static_cast<Index>(projection.rounds));
-  addReport(field, "SweepReportMinScaledJacobian", projection.quality.minimum);
-  addReport(field, "SweepReportMeanScaledJacobian", projection.quality.mean);
-  addReport(field, "SweepReportFloorScaledJacobian", projection.fixedCorners.floor);
-  addReport(field, "SweepReportFixedInvertedQuads",
+  addReport(field, reports::Method, method);
+  addReport(field, reports::InvertedQuads, projection.quality.inverted);
+  addReport(field, reports::InvertedBefore, projection.invertedBefore);
+  addReport(field, reports::Rounds, static_cast<Index>(projection.rounds));
+  addReport(field, reports::MinScaledJacobian, projection.quality.minimum);
+  addReport(field, reports::MeanScaledJacobian, projection.quality.mean);
+  addReport(field, reports::FloorScaledJacobian, projection.fixedCorners.floor);
+  addReport(field, reports::FixedInvertedQuads,
     static_cast<Index>(projection.fixedCorners.inverted.size()));
-  addReport(field, "SweepReportMaximumSourceDistance", projection.quads.maximumSourceDistance);
-  addReport(field, "SweepReportOutside", projection.quads.outside);
+  addReport(field, reports::MaximumSourceDistance, projection.quads.maximumSourceDistance);
+  addReport(field, reports::Outside, projection.quads.outside);
   if (projection.source)
   {
-    addReport(field, "SweepReportFlipsBefore",
-      projection.source->flipsBefore + projection.target->flipsBefore);
     addReport(
-      field, "SweepReportMaximumBoundaryDistance", projection.target->maximumBoundaryDistance);
-    addReport(field, "SweepReportFlipsAfter",
+      field, reports::FlipsBefore, projection.source->flipsBefore + projection.target->flipsBefore);
+    addReport(field, reports::MaximumBoundaryDistance, projection.target->maximumBoundaryDistance);
+    addReport(field, reports::FlipsAfter,
       static_cast<Index>(projection.source->flipped.size() + projection.target->flipped.size()));
   }
   if (projection.nitsche)
   {
-    addReport(field, "SweepReportNitscheRatio", projection.nitsche->ratio());
+    addReport(field, reports::NitscheRatio, projection.nitsche->ratio());
   }
   if (!projection.startFractions.empty())
   {
-    addReport(field, "SweepReportLoopStarts", projection.startFractions);
+    addReport(field, reports::LoopStarts, projection.startFractions);
   }
 }
 

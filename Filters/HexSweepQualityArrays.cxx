@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepQualityArrays.h"
 
+#include "HexSweepArrays.h"
 #include "HexSweepWriter.h"
 
 #include <vtkDataSetAttributes.h>
@@ -10,11 +11,11 @@ namespace hexsweep
 {
 QualityArrays::QualityArrays(vtkIdType cells)
 {
-  this->ScaledJacobian->SetName("ScaledJacobian");
+  this->ScaledJacobian->SetName(arrays::ScaledJacobian);
   this->ScaledJacobian->SetNumberOfValues(cells);
-  this->LowerBound->SetName("JacobianLowerBound");
+  this->LowerBound->SetName(arrays::JacobianLowerBound);
   this->LowerBound->SetNumberOfValues(cells);
-  this->Verdict->SetName("Validity");
+  this->Verdict->SetName(arrays::Validity);
   this->Verdict->SetNumberOfValues(cells);
 }
 
@@ -36,14 +37,14 @@ void QualityArrays::addTo(vtkDataSetAttributes* cellData) const
 
 void addQualityReport(vtkFieldData* fieldData, const HexQualitySummary& summary)
 {
-  addReport(fieldData, "SweepReportHexes", summary.hexes);
-  addReport(fieldData, "SweepReportInverted", summary.inverted);
-  addReport(fieldData, "SweepReportInvertedInside", summary.invertedInside);
-  addReport(fieldData, "SweepReportDegenerate", summary.degenerate);
-  addReport(fieldData, "SweepReportUndecided", summary.undecided);
-  addReport(fieldData, "SweepReportNotCertified", summary.notCertified);
-  addReport(fieldData, "SweepReportMinScaledJacobian", summary.minScaledJacobian);
-  addReport(fieldData, "SweepReportMeanScaledJacobian", summary.meanScaledJacobian);
-  addReport(fieldData, "SweepReportMinJacobianLowerBound", summary.minJacobianLowerBound);
+  addReport(fieldData, reports::Hexes, summary.hexes);
+  addReport(fieldData, reports::Inverted, summary.inverted);
+  addReport(fieldData, reports::InvertedInside, summary.invertedInside);
+  addReport(fieldData, reports::Degenerate, summary.degenerate);
+  addReport(fieldData, reports::Undecided, summary.undecided);
+  addReport(fieldData, reports::NotCertified, summary.notCertified);
+  addReport(fieldData, reports::MinScaledJacobian, summary.minScaledJacobian);
+  addReport(fieldData, reports::MeanScaledJacobian, summary.meanScaledJacobian);
+  addReport(fieldData, reports::MinJacobianLowerBound, summary.minJacobianLowerBound);
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepSolidReader.h"
 
+#include "HexSweepArrays.h"
 #include "HexSweepReader.h"
 #include "HexSweepSolidBoundary.h"
 
@@ -84,8 +85,9 @@ std::string namesOfArrays(vtkCellData* cellData)
 /// The array with the face ids, or nullptr where there is none and none was asked for.
 vtkAbstractArray* findFaceIds(vtkDataSet* data, const std::string& asked)
 {
-  const std::vector<std::string> names =
-    asked.empty() ? std::vector<std::string>{ "FaceId", "CellEntityIds" } : std::vector{ asked };
+  const std::vector<std::string> names = asked.empty()
+    ? std::vector<std::string>{ arrays::FaceId, arrays::CellEntityIds }
+    : std::vector{ asked };
   for (const std::string& name : names)
   {
     if (vtkAbstractArray* array = data->GetCellData()->GetAbstractArray(name.c_str()))

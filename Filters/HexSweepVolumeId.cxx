@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepVolumeId.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -47,13 +49,13 @@ std::optional<double> commonValue(vtkDataSet* data, const char* name, int dimens
 
 void carryVolumeId(vtkDataSet* solid, vtkUnstructuredGrid* hexes)
 {
-  std::optional<double> id = commonValue(solid, "VolumeId", 3);
-  id = id ? id : commonValue(solid, "CellEntityIds", 3);
-  id = id ? id : commonValue(solid, "VolumeId", 2);
+  std::optional<double> id = commonValue(solid, arrays::VolumeId, 3);
+  id = id ? id : commonValue(solid, arrays::CellEntityIds, 3);
+  id = id ? id : commonValue(solid, arrays::VolumeId, 2);
   if (id)
   {
     vtkNew<vtkIdTypeArray> ids;
-    ids->SetName("VolumeId");
+    ids->SetName(arrays::VolumeId);
     ids->SetNumberOfValues(hexes->GetNumberOfCells());
     ids->FillValue(static_cast<vtkIdType>(*id));
     hexes->GetCellData()->AddArray(ids);

@@ -3,9 +3,10 @@
 
 #include "Core/Interior/CageMesh.h"
 #include "Core/Interior/TopologicalModel.h"
-#include "HexSweepRun.h"
+#include "HexSweepArrays.h"
 #include "HexSweepCage.h"
 #include "HexSweepHexOutput.h"
+#include "HexSweepRun.h"
 
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
@@ -95,7 +96,7 @@ int vtkCageHexInterior::RequestData(
     fieldData->PassData(targetData->GetFieldData());
     fieldData->PassData(sourceData->GetFieldData());
     // The quads' own floor is not that of the hexahedra.
-    fieldData->RemoveArray("SweepReportFloorScaledJacobian");
+    fieldData->RemoveArray(hexsweep::reports::FloorScaledJacobian);
     const hexsweep::HexOutput hexes = hexsweep::writeHexes(
       cage, source, settings, clock, hexsweep::pipelineProgress(this, 0.05, 0.99), output);
     if (this->GenerateTopologicalModel)

@@ -7,6 +7,7 @@
 #include "Core/Linking/LoopMatching.h"
 #include "Core/Solvers/SurfaceLaplacian.h"
 #include "Core/Surfaces/SurfaceTopology.h"
+#include "HexSweepArrays.h"
 #include "HexSweepCapDiskGrid.h"
 #include "HexSweepReader.h"
 #include "HexSweepRun.h"
@@ -156,7 +157,7 @@ void vtkHarmonicDiskMap::Execute(vtkInformationVector** inputs, vtkInformationVe
     this->OutputPointsPrecision, this->OutputDisk, output);
   if (!cap.startFractions.empty())
   {
-    addReport(output->GetFieldData(), "SweepReportLoopStarts", cap.startFractions);
+    addReport(output->GetFieldData(), reports::LoopStarts, cap.startFractions);
   }
   reportProgress(pipelineProgress(this), 1.0);
 }

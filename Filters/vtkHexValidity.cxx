@@ -2,10 +2,10 @@
 #include "vtkHexValidity.h"
 
 #include "Core/Hexahedra/HexQuality.h"
-#include "HexSweepRun.h"
 #include "HexSweepHexReader.h"
 #include "HexSweepHexText.h"
 #include "HexSweepQualityArrays.h"
+#include "HexSweepRun.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSet.h>

@@ -4,6 +4,8 @@
 #include "Core/Common/Constants.h"
 #include "Core/Linking/LinkingSides.h"
 #include "Core/Surfaces/SurfaceTopology.h"
+#include "HexSweepArrays.h"
+#include "HexSweepLayers.h"
 #include "HexSweepLinkingReport.h"
 #include "HexSweepReader.h"
 #include "HexSweepRun.h"
@@ -54,29 +56,6 @@ int vtkLinkingSideMesher::FillInputPortInformation(int port, vtkInformation* inf
 }
 
 //------------------------------------------------------------------------------
-void vtkLinkingSideMesher::AddLayerPosition(double position)
-{
-  this->LayerPositions.push_back(position);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkLinkingSideMesher::RemoveAllLayerPositions()
-{
-  if (!this->LayerPositions.empty())
-  {
-    this->LayerPositions.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-double vtkLinkingSideMesher::GetLayerPosition(int i) const
-{
-  return this->LayerPositions.at(static_cast<std::size_t>(i));
-}
-
-//------------------------------------------------------------------------------
 int vtkLinkingSideMesher::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -90,6 +69,7 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   {
     return;
   }
+  const LayerRequest layers = requestedLayers(this);
   const QuadMesh quads = readQuads(inputDataSet(inputs, 0), "source quads").mesh;
   const SurfaceTopology topology = checkSurface(quads.quads, quads.points.rows(), "source quads");
   checkCap(topology, "source quads");
@@ -97,12 +77,6 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
     joinLinkingSurface(givenSurface(readSolid(inputDataSet(inputs, 1), chosenArray(this)).surface),
       this->MatchTolerance, this->FeatureAngle * Pi / 180.0);
   const std::vector<SideTube> sides = splitLinkingSides(surface, quads.points, topology.loops);
-  LayerRequest layers;
-  layers.layers = this->NumberOfLayers;
-  layers.size = this->LayerSize;
-  layers.growth = this->GrowthRatio;
-  layers.bothEnds = this->GrowFromBothEnds;
-  layers.positions = this->LayerPositions;
   const LinkingMesh linking = meshLinkingSides(quads.points, topology.loops, sides, layers,
     this->MatchTolerance, pipelineProgress(this, 0.1, 0.95));
 
@@ -110,17 +84,17 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   output->SetPoints(
     vtkSmartPointer<vtkPoints>::Take(newPoints(linking.mesh.points, this->OutputPointsPrecision)));
   setCells(output, linking.mesh.quads, VTK_QUAD);
-  addIds(output->GetPointData(), "SourcePointIds", linking.sourcePoint);
-  addIds(output->GetPointData(), "SweepLayer", linking.nodeRing);
-  addIds(output->GetCellData(), "SweepLayer", linking.quadLayer);
-  addIds(output->GetCellData(), "LoopId", loopsOfQuads(topology.loops, linking.layers));
+  addIds(output->GetPointData(), arrays::SourcePointIds, linking.sourcePoint);
+  addIds(output->GetPointData(), arrays::SweepLayer, linking.nodeRing);
+  addIds(output->GetCellData(), arrays::SweepLayer, linking.quadLayer);
+  addIds(output->GetCellData(), arrays::LoopId, loopsOfQuads(topology.loops, linking.layers));
   std::vector<Index> faceIds;
   for (std::size_t q = 0; q < linking.quadSide.size(); ++q)
   {
     faceIds.push_back(sides[static_cast<std::size_t>(linking.quadSide[q])]
                         .faceIds[static_cast<std::size_t>(linking.quadTriangle[q])]);
   }
-  addIds(output->GetCellData(), "BoundaryId", faceIds);
+  addIds(output->GetCellData(), arrays::BoundaryId, faceIds);
   output->GetFieldData()->PassData(inputDataSet(inputs, 1)->GetFieldData());
   addLinkingReport(output->GetFieldData(), linking);
 
@@ -143,16 +117,6 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
 void vtkLinkingSideMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
-  os << indent << "LayerSize: " << this->LayerSize << "\n";
-  os << indent << "GrowthRatio: " << this->GrowthRatio << "\n";
-  os << indent << "GrowFromBothEnds: " << (this->GrowFromBothEnds ? "On" : "Off") << "\n";
-  os << indent << "LayerPositions:";
-  for (const double position : this->LayerPositions)
-  {
-    os << " " << position;
-  }
-  os << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";

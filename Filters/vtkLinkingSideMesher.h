@@ -28,15 +28,13 @@
 #define vtkLinkingSideMesher_h
 
 #include "vtkFiltersHexSweepModule.h" // For export macro
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkLayeredSweepAlgorithm.h"
 
-#include <vector> // For the layer positions
-
-class VTKFILTERSHEXSWEEP_EXPORT vtkLinkingSideMesher : public vtkUnstructuredGridAlgorithm
+class VTKFILTERSHEXSWEEP_EXPORT vtkLinkingSideMesher : public vtkLayeredSweepAlgorithm
 {
 public:
   static vtkLinkingSideMesher* New();
-  vtkTypeMacro(vtkLinkingSideMesher, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkLinkingSideMesher, vtkLayeredSweepAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -61,41 +59,6 @@ public:
     this->SetInputConnection(2, output);
   }
   void SetTargetSurfaceData(vtkDataObject* data) { this->SetInputData(2, data); }
-  ///@}
-
-  ///@{
-  /// Layers of quads between source and target, >= 1; 10 by default.
-  vtkSetMacro(NumberOfLayers, vtkIdType);
-  vtkGetMacro(NumberOfLayers, vtkIdType);
-  ///@}
-
-  ///@{
-  /// Wanted mean thickness of the layers, in the unit of the coordinates; where it is not 0 (the
-  /// default) it counts instead of NumberOfLayers.
-  vtkSetMacro(LayerSize, double);
-  vtkGetMacro(LayerSize, double);
-  ///@}
-
-  ///@{
-  /// Thickness of a layer over that of the one before it, from source to target, > 0; 1 by default.
-  vtkSetMacro(GrowthRatio, double);
-  vtkGetMacro(GrowthRatio, double);
-  ///@}
-
-  ///@{
-  /// Let layers grow from both caps to the middle. Off by default.
-  vtkSetMacro(GrowFromBothEnds, bool);
-  vtkGetMacro(GrowFromBothEnds, bool);
-  vtkBooleanMacro(GrowFromBothEnds, bool);
-  ///@}
-
-  ///@{
-  /// Where the layers meet, strictly rising in (0, 1): fractions of each column's length from the
-  /// source. Where there are any they count instead of the number, size and growth of layers.
-  void AddLayerPosition(double position);
-  void RemoveAllLayerPositions();
-  int GetNumberOfLayerPositions() const { return static_cast<int>(this->LayerPositions.size()); }
-  double GetLayerPosition(int i) const;
   ///@}
 
   ///@{
@@ -131,11 +94,6 @@ private:
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
-  std::vector<double> LayerPositions;
-  vtkIdType NumberOfLayers = 10;
-  double LayerSize = 0.0;
-  double GrowthRatio = 1.0;
-  bool GrowFromBothEnds = false;
   double FeatureAngle = 30.0;
   double MatchTolerance = 1e-6;
   int OutputPointsPrecision = DEFAULT_PRECISION;

@@ -9,8 +9,11 @@
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SourceQuads.h"
 #include "Core/Solids/TargetFaces.h"
+#include "HexSweepArrays.h"
 #include "HexSweepBoundaryGrid.h"
+#include "HexSweepLayers.h"
 #include "HexSweepLinkingReport.h"
+#include "HexSweepLists.h"
 #include "HexSweepRun.h"
 #include "HexSweepSolidQuads.h"
 #include "HexSweepSolidReader.h"
@@ -48,13 +51,13 @@ std::vector<InteriorStep> stagesOf(const SolidCage& cage)
 void addReports(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology,
   const std::string& quadsFrom, vtkFieldData* fieldData)
 {
-  addReport(fieldData, "SweepReportSourceQuads", quadsFrom);
-  addIds(fieldData, "SweepReportSourceFaceIds", topology.sourceFaceIds);
-  addIds(fieldData, "SweepReportTargetFaceIds", topology.targetFaceIds);
-  addReport(fieldData, "SweepReportMergedPoints", solid.mergedPoints);
+  addReport(fieldData, reports::SourceQuads, quadsFrom);
+  addIds(fieldData, reports::SourceFaceIds, topology.sourceFaceIds);
+  addIds(fieldData, reports::TargetFaceIds, topology.targetFaceIds);
+  addReport(fieldData, reports::MergedPoints, solid.mergedPoints);
   addLinkingReport(fieldData, cage.linking);
-  addReport(fieldData, "SweepReportInvertedQuads", cage.projection.quality.inverted);
-  addReport(fieldData, "SweepReportMaximumSourceDistance", cage.greatestDistance);
+  addReport(fieldData, reports::InvertedQuads, cage.projection.quality.inverted);
+  addReport(fieldData, reports::MaximumSourceDistance, cage.greatestDistance);
 }
 }
 
@@ -78,18 +81,13 @@ int vtkOneToOneSweep::FillInputPortInformation(int port, vtkInformation* info)
 //------------------------------------------------------------------------------
 void vtkOneToOneSweep::AddSourceFaceId(vtkIdType id)
 {
-  this->SourceFaceIds.push_back(id);
-  this->Modified();
+  addToList(this, this->SourceFaceIds, id);
 }
 
 //------------------------------------------------------------------------------
 void vtkOneToOneSweep::RemoveAllSourceFaceIds()
 {
-  if (!this->SourceFaceIds.empty())
-  {
-    this->SourceFaceIds.clear();
-    this->Modified();
-  }
+  clearList(this, this->SourceFaceIds);
 }
 
 //------------------------------------------------------------------------------
@@ -101,47 +99,19 @@ vtkIdType vtkOneToOneSweep::GetSourceFaceId(int i) const
 //------------------------------------------------------------------------------
 void vtkOneToOneSweep::AddTargetFaceId(vtkIdType id)
 {
-  this->TargetFaceIds.push_back(id);
-  this->Modified();
+  addToList(this, this->TargetFaceIds, id);
 }
 
 //------------------------------------------------------------------------------
 void vtkOneToOneSweep::RemoveAllTargetFaceIds()
 {
-  if (!this->TargetFaceIds.empty())
-  {
-    this->TargetFaceIds.clear();
-    this->Modified();
-  }
+  clearList(this, this->TargetFaceIds);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkOneToOneSweep::GetTargetFaceId(int i) const
 {
   return this->TargetFaceIds.at(static_cast<std::size_t>(i));
-}
-
-//------------------------------------------------------------------------------
-void vtkOneToOneSweep::AddLayerPosition(double position)
-{
-  this->LayerPositions.push_back(position);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkOneToOneSweep::RemoveAllLayerPositions()
-{
-  if (!this->LayerPositions.empty())
-  {
-    this->LayerPositions.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-double vtkOneToOneSweep::GetLayerPosition(int i) const
-{
-  return this->LayerPositions.at(static_cast<std::size_t>(i));
 }
 
 //------------------------------------------------------------------------------
@@ -167,6 +137,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   {
     return;
   }
+  const LayerRequest layers = requestedLayers(this);
   StageClock clock;
   vtkDataSet* solidData = inputDataSet(inputs, 0);
   const SolidInput input = readSolid(solidData, chosenArray(this)).surface;
@@ -189,11 +160,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   SolidCageInput cageInput{ solid, topology, std::move(quads.mesh),
     sidePatches(input, solid, topology), {}, this->MatchTolerance,
     this->OutputPointsPrecision == SINGLE_PRECISION, this->EnsureValid, this->ImproveQuality };
-  cageInput.layers.layers = this->NumberOfLayers;
-  cageInput.layers.size = this->LayerSize;
-  cageInput.layers.growth = this->GrowthRatio;
-  cageInput.layers.bothEnds = this->GrowFromBothEnds;
-  cageInput.layers.positions = this->LayerPositions;
+  cageInput.layers = layers;
   const SolidCage cage = makeSolidCage(cageInput, pipelineProgress(this, 0.15, 0.5));
   clock.finish(stagesOf(cage));
   if (this->TargetFaceIds.empty())
@@ -261,21 +228,8 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
 void vtkOneToOneSweep::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto list = [&](const char* name, const auto& values) {
-    os << indent << name << ":";
-    for (const auto& value : values)
-    {
-      os << " " << value;
-    }
-    os << "\n";
-  };
-  list("SourceFaceIds", this->SourceFaceIds);
-  list("TargetFaceIds", this->TargetFaceIds);
-  list("LayerPositions", this->LayerPositions);
-  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
-  os << indent << "LayerSize: " << this->LayerSize << "\n";
-  os << indent << "GrowthRatio: " << this->GrowthRatio << "\n";
-  os << indent << "GrowFromBothEnds: " << (this->GrowFromBothEnds ? "On" : "Off") << "\n";
+  printList(os, indent, "SourceFaceIds", this->SourceFaceIds);
+  printList(os, indent, "TargetFaceIds", this->TargetFaceIds);
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";

@@ -41,15 +41,15 @@
 #define vtkOneToOneSweep_h
 
 #include "vtkFiltersHexSweepModule.h" // For export macro
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkLayeredSweepAlgorithm.h"
 
 #include <vector> // For lists of ids
 
-class VTKFILTERSHEXSWEEP_EXPORT vtkOneToOneSweep : public vtkUnstructuredGridAlgorithm
+class VTKFILTERSHEXSWEEP_EXPORT vtkOneToOneSweep : public vtkLayeredSweepAlgorithm
 {
 public:
   static vtkOneToOneSweep* New();
-  vtkTypeMacro(vtkOneToOneSweep, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkOneToOneSweep, vtkLayeredSweepAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -80,41 +80,6 @@ public:
   void RemoveAllTargetFaceIds();
   int GetNumberOfTargetFaceIds() const { return static_cast<int>(this->TargetFaceIds.size()); }
   vtkIdType GetTargetFaceId(int i) const;
-  ///@}
-
-  ///@{
-  /// Layers of hexahedra between source and target, >= 1; 10 by default.
-  vtkSetMacro(NumberOfLayers, vtkIdType);
-  vtkGetMacro(NumberOfLayers, vtkIdType);
-  ///@}
-
-  ///@{
-  /// Wanted mean thickness of the layers, in the unit of the coordinates; where it is not 0 (the
-  /// default) it counts instead of NumberOfLayers.
-  vtkSetMacro(LayerSize, double);
-  vtkGetMacro(LayerSize, double);
-  ///@}
-
-  ///@{
-  /// Thickness of a layer over that of the one before it, from source to target, > 0; 1 by default.
-  vtkSetMacro(GrowthRatio, double);
-  vtkGetMacro(GrowthRatio, double);
-  ///@}
-
-  ///@{
-  /// Let layers grow from both caps to the middle. Off by default.
-  vtkSetMacro(GrowFromBothEnds, bool);
-  vtkGetMacro(GrowFromBothEnds, bool);
-  vtkBooleanMacro(GrowFromBothEnds, bool);
-  ///@}
-
-  ///@{
-  /// Where the layers meet, strictly rising in (0, 1): fractions of each column's length from the
-  /// source. Where there are any they count instead of the number, size and growth of layers.
-  void AddLayerPosition(double position);
-  void RemoveAllLayerPositions();
-  int GetNumberOfLayerPositions() const { return static_cast<int>(this->LayerPositions.size()); }
-  double GetLayerPosition(int i) const;
   ///@}
 
   ///@{
@@ -195,11 +160,6 @@ private:
 
   std::vector<vtkIdType> SourceFaceIds;
   std::vector<vtkIdType> TargetFaceIds;
-  std::vector<double> LayerPositions;
-  vtkIdType NumberOfLayers = 10;
-  double LayerSize = 0.0;
-  double GrowthRatio = 1.0;
-  bool GrowFromBothEnds = false;
   double QuadSize = 0.0;
   double FeatureAngle = 30.0;
   double MatchTolerance = 1e-6;

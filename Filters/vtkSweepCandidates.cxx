@@ -107,7 +107,8 @@ int vtkSweepCandidates::RequestData(
     options.matchTolerance = this->MatchTolerance;
     options.featureAngle = this->FeatureAngle * hexsweep::Pi / 180.0;
     const hexsweep::SolidSurface solid = hexsweep::makeSolidSurface(
-      hexsweep::readSolid(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this)), options);
+      hexsweep::readSolid(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this)).surface,
+      options);
     const hexsweep::SweepCandidates candidates = this->SourceFaceIds.empty()
       ? hexsweep::findSweepCandidates(solid)
       : hexsweep::findTargetCandidates(

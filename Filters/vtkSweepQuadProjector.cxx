@@ -3,6 +3,7 @@
 
 #include "Core/CapQuads/SweepProjection.h"
 #include "Core/Common/Errors.h"
+#include "HexSweepArrays.h"
 #include "HexSweepCapDiskGrid.h"
 #include "HexSweepProjectionReport.h"
 #include "HexSweepReader.h"
@@ -119,7 +120,7 @@ void writeQuads(const SweepProjection& projection, const Caps& caps, vtkDataSet*
   vtkCellData* cellData = output->GetCellData();
   cellData->CopyAllocate(source->GetCellData(), quads.rows());
   vtkNew<vtkDoubleArray> jacobian;
-  jacobian->SetName("ScaledJacobian");
+  jacobian->SetName(arrays::ScaledJacobian);
   jacobian->SetNumberOfValues(quads.rows());
   for (Index q = 0; q < quads.rows(); ++q)
   {
@@ -200,7 +201,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   auto* output = vtkUnstructuredGrid::GetData(outputs, 0);
   writeQuads(projection, caps, ports.source, this->OutputPointsPrecision, output);
   addProjectionReport(output->GetFieldData(), projection, methodName);
-  addReport(output->GetFieldData(), "SweepReportIgnoredCells", caps.ignoredCells);
+  addReport(output->GetFieldData(), reports::IgnoredCells, caps.ignoredCells);
   if (projection.source)
   {
     writeCapDisk(*projection.source, caps.source, this->OutputPointsPrecision, false,

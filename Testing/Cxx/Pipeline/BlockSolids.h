@@ -8,6 +8,8 @@
 
 #include "SolidGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkIdTypeArray.h>
 
 namespace test
@@ -48,7 +50,7 @@ inline Grid blockFaces(
   std::vector<Point> points;
   auto grid = Grid::New();
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("FaceId");
+  ids->SetName(hexsweep::arrays::FaceId);
   std::vector<std::pair<int, Corners>> cells;
   for (const int face : faces)
   {
@@ -148,7 +150,8 @@ inline void addFace(vtkUnstructuredGrid* solid, vtkUnstructuredGrid* cells, int 
   {
     solid->GetPoints()->InsertNextPoint(cells->GetPoint(i));
   }
-  auto* ids = vtkIdTypeArray::SafeDownCast(solid->GetCellData()->GetArray("FaceId"));
+  auto* ids =
+    vtkIdTypeArray::SafeDownCast(solid->GetCellData()->GetArray(hexsweep::arrays::FaceId));
   for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
   {
     Corners cell = cornersOf(cells, c);

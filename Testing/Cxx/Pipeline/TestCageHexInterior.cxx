@@ -4,6 +4,8 @@
 #include "Support/SweepMeshes.h"
 #include "TestEvents.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCageHexInterior.h>
 #include <vtkSweepQuadProjector.h>
 
@@ -96,7 +98,7 @@ struct Case
   {
     return this->filter->GetOutput()
       ->GetFieldData()
-      ->GetArray(("SweepReport" + name).c_str())
+      ->GetArray((hexsweep::reports::Prefix + name).c_str())
       ->GetTuple1(0);
   }
 
@@ -163,11 +165,11 @@ TEST(CageHexInterior, NumberingAndArraysFollowTheLayers)
   const Index m = sweep.quads.rows();
   ASSERT_EQ(output->GetNumberOfPoints(), 6 * n);
   ASSERT_EQ(output->GetNumberOfCells(), 5 * m);
-  vtkDataArray* sourceIds = output->GetPointData()->GetArray("SourcePointIds");
-  vtkDataArray* pointLayers = output->GetPointData()->GetArray("SweepLayer");
-  vtkDataArray* cellIds = output->GetCellData()->GetArray("SourceCellIds");
-  vtkDataArray* cellLayers = output->GetCellData()->GetArray("SweepLayer");
-  vtkDataArray* quality = output->GetCellData()->GetArray("ScaledJacobian");
+  vtkDataArray* sourceIds = output->GetPointData()->GetArray(hexsweep::arrays::SourcePointIds);
+  vtkDataArray* pointLayers = output->GetPointData()->GetArray(hexsweep::arrays::SweepLayer);
+  vtkDataArray* cellIds = output->GetCellData()->GetArray(hexsweep::arrays::SourceCellIds);
+  vtkDataArray* cellLayers = output->GetCellData()->GetArray(hexsweep::arrays::SweepLayer);
+  vtkDataArray* quality = output->GetCellData()->GetArray(hexsweep::arrays::ScaledJacobian);
   ASSERT_TRUE(sourceIds && pointLayers && cellIds && cellLayers && quality);
   EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
   for (Index i = 0; i < 6 * n; ++i)
@@ -202,14 +204,15 @@ TEST(CageHexInterior, CertifyProvesEveryHex)
     const double* values = output->GetCellData()->GetArray(name)->GetRange();
     return std::make_pair(values[0], values[1]);
   };
-  EXPECT_EQ(range("Validity"), std::make_pair(0.0, 0.0));
-  EXPECT_GT(range("JacobianLowerBound").first, 0.0);
+  EXPECT_EQ(range(hexsweep::arrays::Validity), std::make_pair(0.0, 0.0));
+  EXPECT_GT(range(hexsweep::arrays::JacobianLowerBound).first, 0.0);
   EXPECT_EQ(input.report("NotCertified"), 0);
-  EXPECT_EQ(input.report("MinJacobianLowerBound"), range("JacobianLowerBound").first);
+  EXPECT_EQ(
+    input.report("MinJacobianLowerBound"), range(hexsweep::arrays::JacobianLowerBound).first);
 
   input.filter->CertifyOff();
   input.filter->Update();
-  EXPECT_EQ(range("Validity"), std::make_pair(3.0, 3.0));
+  EXPECT_EQ(range(hexsweep::arrays::Validity), std::make_pair(3.0, 3.0));
   EXPECT_EQ(input.report("NotCertified"), input.report("Hexes"));
   EXPECT_EQ(input.report("Inverted"), 0);
 }
@@ -220,7 +223,7 @@ TEST(CageHexInterior, ReportSaysWhatRan)
   vtkUnstructuredGrid* output = input.run();
   EXPECT_EQ(input.report("Hexes"), static_cast<double>(output->GetNumberOfCells()));
   EXPECT_EQ(input.report("Inverted"), 0);
-  vtkDataArray* quality = output->GetCellData()->GetArray("ScaledJacobian");
+  vtkDataArray* quality = output->GetCellData()->GetArray(hexsweep::arrays::ScaledJacobian);
   EXPECT_EQ(input.report("MinScaledJacobian"), quality->GetRange()[0]);
   double sum = 0.0;
   for (vtkIdType h = 0; h < quality->GetNumberOfTuples(); ++h)
@@ -232,14 +235,14 @@ TEST(CageHexInterior, ReportSaysWhatRan)
   const auto text = [&](const char* name) {
     return vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(name));
   };
-  ASSERT_TRUE(text("SweepReportMethod") && text("SweepReportStages"));
-  EXPECT_EQ(text("SweepReportMethod")->GetValue(0), std::string("Blend + polish"));
-  EXPECT_EQ(text("SweepReportStages")->GetNumberOfValues(),
-    output->GetFieldData()->GetArray("SweepReportSeconds")->GetNumberOfTuples());
+  ASSERT_TRUE(text(hexsweep::reports::Method) && text(hexsweep::reports::Stages));
+  EXPECT_EQ(text(hexsweep::reports::Method)->GetValue(0), std::string("Blend + polish"));
+  EXPECT_EQ(text(hexsweep::reports::Stages)->GetNumberOfValues(),
+    output->GetFieldData()->GetArray(hexsweep::reports::Seconds)->GetNumberOfTuples());
 
   input.filter->SetMethodToAffineBoundaryError();
   input.filter->Update();
-  EXPECT_EQ(text("SweepReportMethod")->GetValue(0), "AffineBoundaryError");
+  EXPECT_EQ(text(hexsweep::reports::Method)->GetValue(0), "AffineBoundaryError");
   EXPECT_EQ(input.report("Inverted"), 0);
 }
 
@@ -380,7 +383,7 @@ TEST(CageHexInterior, VertexAndLineCellsAreIgnored)
   const Index m = sweep.quads.rows();
   ASSERT_EQ(output->GetNumberOfCells(), 5 * m);
   // Ids are those of the input, where the quads begin at 2.
-  EXPECT_EQ(output->GetCellData()->GetArray("SourceCellIds")->GetTuple1(m + 3), 5);
+  EXPECT_EQ(output->GetCellData()->GetArray(hexsweep::arrays::SourceCellIds)->GetTuple1(m + 3), 5);
   EXPECT_EQ(output->GetCellData()->GetArray("Number")->GetTuple1(m + 3), 3);
 }
 
@@ -413,7 +416,7 @@ TEST(CageHexInterior, SinglePrecisionOnDemand)
   input.filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
   vtkUnstructuredGrid* output = input.run();
   EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_FLOAT);
-  vtkDataArray* quality = output->GetCellData()->GetArray("ScaledJacobian");
+  vtkDataArray* quality = output->GetCellData()->GetArray(hexsweep::arrays::ScaledJacobian);
   for (vtkIdType h = 0; h < output->GetNumberOfCells(); ++h)
   {
     // Judged as stored.
@@ -493,7 +496,8 @@ void expectConflicts(const Sweep& sweep, const std::vector<std::string>& parts)
   EXPECT_GT(input.report("NotCertified"), 0);
   // Everything else is mended, and at the first start.
   EXPECT_LE(input.report("NotCertified"), conflicts);
-  EXPECT_LE(output->GetFieldData()->GetAbstractArray("SweepReportSteps")->GetNumberOfValues(), 3);
+  EXPECT_LE(
+    output->GetFieldData()->GetAbstractArray(hexsweep::reports::Steps)->GetNumberOfValues(), 3);
   EXPECT_LE(input.report("FloorScaledJacobian"), 0.0);
   ASSERT_EQ(input.events.warnings.size(), 1u);
   const std::string& text = input.events.warnings.front();
@@ -824,14 +828,14 @@ TEST(CageHexInterior, EnsureValidAndImproveQualityDoWhatTheySay)
   };
   const auto method = [&]() {
     return std::string(vtkStringArray::SafeDownCast(
-      filter->GetOutput()->GetFieldData()->GetAbstractArray("SweepReportMethod"))
+      filter->GetOutput()->GetFieldData()->GetAbstractArray(hexsweep::reports::Method))
                          ->GetValue(0));
   };
   filter->EnsureValidOff();
   filter->Update();
   const vtkIdType inverted = countInverted(filter->GetOutput());
   EXPECT_GT(inverted, 0);
-  EXPECT_EQ(value("SweepReportInverted"), inverted);
+  EXPECT_EQ(value(hexsweep::reports::Inverted), inverted);
   EXPECT_EQ(method(), "Blend");
   EXPECT_EQ(events.warnings.size(), 1u);
 
@@ -839,22 +843,24 @@ TEST(CageHexInterior, EnsureValidAndImproveQualityDoWhatTheySay)
   filter->ImproveQualityOff();
   filter->Update();
   EXPECT_EQ(countInverted(filter->GetOutput()), 0);
-  EXPECT_EQ(value("SweepReportNotCertified"), 0);
+  EXPECT_EQ(value(hexsweep::reports::NotCertified), 0);
   EXPECT_EQ(method(), "Blend + untangling");
-  const double minimum = value("SweepReportMinScaledJacobian");
-  const double mean = value("SweepReportMeanScaledJacobian");
+  const double minimum = value(hexsweep::reports::MinScaledJacobian);
+  const double mean = value(hexsweep::reports::MeanScaledJacobian);
 
   filter->ImproveQualityOn();
   filter->Update();
-  EXPECT_EQ(value("SweepReportNotCertified"), 0);
+  EXPECT_EQ(value(hexsweep::reports::NotCertified), 0);
   EXPECT_EQ(method(), "Blend + untangling + polish");
-  EXPECT_GE(value("SweepReportMinScaledJacobian"), minimum);
-  EXPECT_GT(value("SweepReportMeanScaledJacobian"), mean + 0.01);
-  EXPECT_LE(value("SweepReportMinScaledJacobian"), value("SweepReportFloorScaledJacobian"));
-  EXPECT_EQ(value("SweepReportCornerConflicts"), 0);
+  EXPECT_GE(value(hexsweep::reports::MinScaledJacobian), minimum);
+  EXPECT_GT(value(hexsweep::reports::MeanScaledJacobian), mean + 0.01);
+  EXPECT_LE(
+    value(hexsweep::reports::MinScaledJacobian), value(hexsweep::reports::FloorScaledJacobian));
+  EXPECT_EQ(value(hexsweep::reports::CornerConflicts), 0);
   EXPECT_EQ(events.warnings.size(), 1u);
   EXPECT_EQ(
-    filter->GetOutput()->GetFieldData()->GetArray("SweepReportStepMended")->GetTuple1(1), inverted);
+    filter->GetOutput()->GetFieldData()->GetArray(hexsweep::reports::StepMended)->GetTuple1(1),
+    inverted);
 }
 
 TEST(CageHexInterior, EveryMethodReproducesAStraightSweep)
@@ -879,9 +885,9 @@ TEST(CageHexInterior, EveryMethodReproducesAStraightSweep)
     vtkUnstructuredGrid* output = input.run();
     ASSERT_EQ(output->GetNumberOfPoints(), sweep.layers.rows()) << expected.first;
     EXPECT_TRUE(input.events.warnings.empty());
-    EXPECT_EQ(
-      vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("SweepReportMethod"))
-        ->GetValue(0),
+    EXPECT_EQ(vtkStringArray::SafeDownCast(
+                output->GetFieldData()->GetAbstractArray(hexsweep::reports::Method))
+                ->GetValue(0),
       std::string(expected.first));
     for (Index i = 0; i < sweep.layers.rows(); ++i)
     {

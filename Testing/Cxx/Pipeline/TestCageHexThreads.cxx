@@ -4,6 +4,8 @@
 #include "Support/SweepMeshes.h"
 #include "TestEvents.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCageHexInterior.h>
 
 #include <vtkCallbackCommand.h>
@@ -172,7 +174,7 @@ TEST(CageHexThreads, SameBitsWithAllDefaults)
   ASSERT_GT(one->GetNumberOfCells(), 0);
   // Everything had its turn.
   auto* method =
-    vtkStringArray::SafeDownCast(one->GetFieldData()->GetAbstractArray("SweepReportMethod"));
+    vtkStringArray::SafeDownCast(one->GetFieldData()->GetAbstractArray(hexsweep::reports::Method));
   ASSERT_TRUE(method);
   EXPECT_EQ(std::string(method->GetValue(0)), "Blend + untangling + polish");
   for (const int threads : { 2, 3 })

@@ -2,6 +2,8 @@
 // Disk maps made one by one and chained to the hexes give what the projector makes by itself.
 #include "CapGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCageHexInterior.h>
 #include <vtkHarmonicDiskMap.h>
 #include <vtkHexValidity.h>
@@ -87,7 +89,7 @@ struct Chain
 
 void expectRightHanded(vtkUnstructuredGrid* hexes)
 {
-  EXPECT_EQ(report(hexes, "SweepReportInverted"), 0);
+  EXPECT_EQ(report(hexes, hexsweep::reports::Inverted), 0);
   for (vtkIdType c = 0; c < hexes->GetNumberOfCells(); ++c)
   {
     ASSERT_EQ(hexes->GetCellType(c), VTK_HEXAHEDRON);
@@ -112,7 +114,8 @@ TEST(ChainedDiskMaps, GiveTheSameMeshAsTheProjectorAlone)
     Chain chained(sweep, true);
     Chain alone(sweep, false);
     vtkUnstructuredGrid* hexes = chained.run();
-    EXPECT_EQ(test::textReport(chained.SourceMap->GetOutput(), "DiskMapDomain"), domains[number++]);
+    EXPECT_EQ(test::textReport(chained.SourceMap->GetOutput(), hexsweep::arrays::DiskMapDomain),
+      domains[number++]);
     ASSERT_GT(hexes->GetNumberOfCells(), 0);
     vtkUnstructuredGrid* expected = alone.run();
     ASSERT_EQ(hexes->GetNumberOfCells(), expected->GetNumberOfCells());

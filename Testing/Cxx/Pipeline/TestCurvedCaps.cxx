@@ -3,6 +3,8 @@
 // sphere, with and without a hole, at the pole and off it.
 #include "CapGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkSweepQuadProjector.h>
 
 #include <complex>
@@ -279,12 +281,12 @@ TEST_P(CurvedCaps, EveryQuadLandsUprightOnTheSurface)
     filter->Update();
     ASSERT_TRUE(events.errors.empty()) << events.errors[0];
     vtkUnstructuredGrid* output = filter->GetOutput();
-    EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
-    EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
-    EXPECT_EQ(report(output, "SweepReportOutside"), 0);
+    EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
+    EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
+    EXPECT_EQ(report(output, hexsweep::reports::Outside), 0);
     EXPECT_TRUE(events.warnings.empty()) << events.warnings[0];
     // A wavy rim folds quads that the projection carries over; elsewhere it is upright by itself.
-    EXPECT_EQ(report(output, "SweepReportInvertedBefore") > 0, GetParam().wave > 0.0);
+    EXPECT_EQ(report(output, hexsweep::reports::InvertedBefore) > 0, GetParam().wave > 0.0);
     expectUpright(output);
 
     std::map<Place, Place> ends;

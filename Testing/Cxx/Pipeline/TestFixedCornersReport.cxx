@@ -3,6 +3,8 @@
 // place of the inner nodes makes them valid.
 #include "CapGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkSweepQuadProjector.h>
 
 #include <vtkDataArray.h>
@@ -165,12 +167,12 @@ TEST(FixedCorners, OnlyTheQuadsAtConcaveRimNodesStayInverted)
     ASSERT_NE(result.output, nullptr);
     EXPECT_LT(sineAtDent(n, dent), -0.05);
     EXPECT_NEAR(
-      report(result.output, "SweepReportFloorScaledJacobian"), sineAtDent(n, dent), 1e-12);
-    EXPECT_EQ(report(result.output, "SweepReportMinScaledJacobian"),
-      report(result.output, "SweepReportFloorScaledJacobian"));
-    EXPECT_EQ(report(result.output, "SweepReportFixedInvertedQuads"), 4);
-    EXPECT_EQ(report(result.output, "SweepReportInvertedQuads"), 4);
-    EXPECT_LT(report(result.output, "SweepReportRounds"), 40);
+      report(result.output, hexsweep::reports::FloorScaledJacobian), sineAtDent(n, dent), 1e-12);
+    EXPECT_EQ(report(result.output, hexsweep::reports::MinScaledJacobian),
+      report(result.output, hexsweep::reports::FloorScaledJacobian));
+    EXPECT_EQ(report(result.output, hexsweep::reports::FixedInvertedQuads), 4);
+    EXPECT_EQ(report(result.output, hexsweep::reports::InvertedQuads), 4);
+    EXPECT_LT(report(result.output, hexsweep::reports::Rounds), 40);
     EXPECT_EQ(invertedCells(result.output), cornerCells(n));
   }
 }
@@ -202,9 +204,10 @@ TEST(FixedCorners, AreToldFromQuadsThatCouldBeCured)
   ASSERT_NE(result.output, nullptr);
   const std::set<vtkIdType> inverted = invertedCells(result.output);
   EXPECT_GT(inverted.size(), 4u);
-  EXPECT_EQ(report(result.output, "SweepReportInvertedQuads"), inverted.size());
-  EXPECT_EQ(report(result.output, "SweepReportFixedInvertedQuads"), 4);
-  EXPECT_NEAR(report(result.output, "SweepReportFloorScaledJacobian"), sineAtDent(12, 0.4), 1e-12);
+  EXPECT_EQ(report(result.output, hexsweep::reports::InvertedQuads), inverted.size());
+  EXPECT_EQ(report(result.output, hexsweep::reports::FixedInvertedQuads), 4);
+  EXPECT_NEAR(
+    report(result.output, hexsweep::reports::FloorScaledJacobian), sineAtDent(12, 0.4), 1e-12);
   ASSERT_FALSE(result.events.warnings.empty());
   EXPECT_NE(result.events.warnings.back().find("The others:"), std::string::npos);
 }
@@ -217,10 +220,10 @@ TEST(FixedCorners, ARoundRimHasAFloorThatIsReached)
   result.run();
   ASSERT_NE(result.output, nullptr);
   EXPECT_TRUE(result.events.warnings.empty()) << result.events.warnings[0];
-  EXPECT_EQ(report(result.output, "SweepReportFixedInvertedQuads"), 0);
+  EXPECT_EQ(report(result.output, hexsweep::reports::FixedInvertedQuads), 0);
   // The angle of a regular polygon of 4 n sides is pi - 2 pi / (4 n).
   EXPECT_NEAR(
-    report(result.output, "SweepReportFloorScaledJacobian"), std::sin(0.5 * Pi / n), 1e-12);
-  EXPECT_EQ(report(result.output, "SweepReportMinScaledJacobian"),
-    report(result.output, "SweepReportFloorScaledJacobian"));
+    report(result.output, hexsweep::reports::FloorScaledJacobian), std::sin(0.5 * Pi / n), 1e-12);
+  EXPECT_EQ(report(result.output, hexsweep::reports::MinScaledJacobian),
+    report(result.output, hexsweep::reports::FloorScaledJacobian));
 }

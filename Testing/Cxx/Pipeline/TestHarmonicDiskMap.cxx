@@ -2,6 +2,8 @@
 // vtkHarmonicDiskMap: what it takes, what it carries, what it refuses.
 #include "CapGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkHarmonicDiskMap.h>
 
 #include <vtkCallbackCommand.h>
@@ -51,7 +53,7 @@ struct Map
 std::array<double, 3> diskPoint(vtkDataSet* output, vtkIdType i)
 {
   std::array<double, 3> p;
-  output->GetPointData()->GetArray("DiskCoordinates")->GetTuple(i, p.data());
+  output->GetPointData()->GetArray(hexsweep::arrays::DiskCoordinates)->GetTuple(i, p.data());
   return p;
 }
 
@@ -80,7 +82,8 @@ void expectOriginals(vtkUnstructuredGrid* output, vtkDataSet* input)
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     const bool original = i < input->GetNumberOfPoints();
-    EXPECT_EQ(idOf(output->GetPointData(), "OriginalPointIds", i), original ? i : -1);
+    EXPECT_EQ(
+      idOf(output->GetPointData(), hexsweep::arrays::OriginalPointIds, i), original ? i : -1);
     if (original)
     {
       EXPECT_EQ(test::pointOf(output, i), test::pointOf(input, i));
@@ -89,7 +92,7 @@ void expectOriginals(vtkUnstructuredGrid* output, vtkDataSet* input)
   for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
   {
     ASSERT_EQ(output->GetCellType(c), VTK_TRIANGLE);
-    const vtkIdType origin = idOf(output->GetCellData(), "OriginalCellIds", c);
+    const vtkIdType origin = idOf(output->GetCellData(), hexsweep::arrays::OriginalCellIds, c);
     ASSERT_GE(origin, 0);
     ASSERT_LT(origin, input->GetNumberOfCells());
     vtkCell* cell = input->GetCell(origin);
@@ -139,11 +142,12 @@ TEST(HarmonicDiskMap, OneLoopAlone)
   Map map(input);
   vtkUnstructuredGrid* output = map.run();
   expectOriginals(output, input);
-  EXPECT_EQ(textReport(output, "DiskMapDomain"), "Disk");
-  EXPECT_EQ(textReport(output, "SweepReportMethod"), "Cotangent");
-  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
-  EXPECT_EQ(report(output, "SweepReportIgnoredCells"), 0);
-  EXPECT_EQ(output->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples(), 0);
+  EXPECT_EQ(textReport(output, hexsweep::arrays::DiskMapDomain), "Disk");
+  EXPECT_EQ(textReport(output, hexsweep::reports::Method), "Cotangent");
+  EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
+  EXPECT_EQ(report(output, hexsweep::reports::IgnoredCells), 0);
+  EXPECT_EQ(
+    output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles)->GetNumberOfTuples(), 0);
   std::set<vtkIdType> rim;
   for (const auto& side : test::boundaryOf(output))
   {
@@ -177,10 +181,11 @@ TEST(HarmonicDiskMap, TreatmentsAndWeightsOfACapWithAHole)
       meanValue ? map.filter->SetWeightsToMeanValue() : map.filter->SetWeightsToCotangent();
       vtkUnstructuredGrid* output = map.run();
       expectOriginals(output, input);
-      EXPECT_EQ(textReport(output, "DiskMapDomain"), filled ? "Disk" : "Circles");
-      EXPECT_EQ(textReport(output, "SweepReportMethod"), meanValue ? "MeanValue" : "Cotangent");
-      EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
-      vtkDataArray* circles = output->GetFieldData()->GetArray("HoleCircles");
+      EXPECT_EQ(textReport(output, hexsweep::arrays::DiskMapDomain), filled ? "Disk" : "Circles");
+      EXPECT_EQ(
+        textReport(output, hexsweep::reports::Method), meanValue ? "MeanValue" : "Cotangent");
+      EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
+      vtkDataArray* circles = output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles);
       ASSERT_EQ(circles->GetNumberOfTuples(), filled ? 0 : 1);
       for (const auto& side : test::boundaryOf(output))
       {
@@ -209,8 +214,8 @@ TEST(HarmonicDiskMap, WithAPartnerBothCapsShareTheirLoops)
     vtkUnstructuredGrid* target = other.run();
     expectOriginals(source, sweep.sourceSurface);
     expectOriginals(target, sweep.targetSurface);
-    EXPECT_EQ(textReport(source, "DiskMapDomain"), domain);
-    EXPECT_EQ(textReport(target, "DiskMapDomain"), domain);
+    EXPECT_EQ(textReport(source, hexsweep::arrays::DiskMapDomain), domain);
+    EXPECT_EQ(textReport(target, hexsweep::arrays::DiskMapDomain), domain);
     const auto sourceRim = test::boundaryOf(source);
     const auto targetRim = test::boundaryOf(target);
     ASSERT_EQ(sourceRim.size(), targetRim.size());
@@ -231,14 +236,14 @@ TEST(HarmonicDiskMap, WithoutLinkingSidesTheChosenStartsAreReported)
 {
   const test::SweepGrids sweep = test::readCase("taper10");
   Map matched(sweep.sourceSurface, sweep.targetSurface);
-  vtkDataArray* starts = matched.run()->GetFieldData()->GetArray("SweepReportLoopStarts");
+  vtkDataArray* starts = matched.run()->GetFieldData()->GetArray(hexsweep::reports::LoopStarts);
   ASSERT_NE(starts, nullptr);
   EXPECT_EQ(starts->GetNumberOfTuples(),
     static_cast<vtkIdType>(
-      matched.run()->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples()) +
+      matched.run()->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles)->GetNumberOfTuples()) +
       1);
   Map linked(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
-  EXPECT_EQ(linked.run()->GetFieldData()->GetArray("SweepReportLoopStarts"), nullptr);
+  EXPECT_EQ(linked.run()->GetFieldData()->GetArray(hexsweep::reports::LoopStarts), nullptr);
 }
 
 TEST(HarmonicDiskMap, AStartThatIsAGuessRaisesAWarning)
@@ -261,8 +266,9 @@ TEST(HarmonicDiskMap, CirclesForMoreLoops)
   const test::SweepGrids sweep = test::plateSweep(3);
   Map map(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
   vtkUnstructuredGrid* output = map.run();
-  EXPECT_EQ(textReport(output, "DiskMapDomain"), "Circles");
-  EXPECT_EQ(output->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples(), 3);
+  EXPECT_EQ(textReport(output, hexsweep::arrays::DiskMapDomain), "Circles");
+  EXPECT_EQ(
+    output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles)->GetNumberOfTuples(), 3);
 }
 
 TEST(HarmonicDiskMap, DataAreCarried)
@@ -283,7 +289,8 @@ TEST(HarmonicDiskMap, DataAreCarried)
   for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
   {
     EXPECT_EQ(cells->GetTuple1(c),
-      1000.0 + static_cast<double>(idOf(output->GetCellData(), "OriginalCellIds", c)));
+      1000.0 +
+        static_cast<double>(idOf(output->GetCellData(), hexsweep::arrays::OriginalCellIds, c)));
   }
   EXPECT_EQ(report(output, "Note"), 7.0);
   // The input is not written to.
@@ -297,14 +304,14 @@ TEST(HarmonicDiskMap, VertexAndLineCellsAreIgnoredAndCounted)
   const Grid mixed = test::withVerticesAndLines(plain);
   Map map(mixed);
   vtkUnstructuredGrid* output = map.run();
-  EXPECT_EQ(report(output, "SweepReportIgnoredCells"), 3);
+  EXPECT_EQ(report(output, hexsweep::reports::IgnoredCells), 3);
   expectOriginals(output, mixed);
   Map reference(plain);
   EXPECT_EQ(greatestDiskDistance(output, reference.run()), 0.0);
   for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
   {
     EXPECT_EQ(output->GetCellData()->GetArray("Number")->GetTuple1(c),
-      static_cast<double>(idOf(output->GetCellData(), "OriginalCellIds", c)));
+      static_cast<double>(idOf(output->GetCellData(), hexsweep::arrays::OriginalCellIds, c)));
   }
 }
 
@@ -364,7 +371,9 @@ TEST(HarmonicDiskMap, StripsQuadsAndPolygons)
   vtkUnstructuredGrid* output = fromStrips.run();
   EXPECT_LT(greatestDiskDistance(output, expected), 1e-14);
   EXPECT_EQ(output->GetNumberOfCells(), expected->GetNumberOfCells());
-  EXPECT_EQ(idOf(output->GetCellData(), "OriginalCellIds", output->GetNumberOfCells() - 1), n - 1);
+  EXPECT_EQ(
+    idOf(output->GetCellData(), hexsweep::arrays::OriginalCellIds, output->GetNumberOfCells() - 1),
+    n - 1);
 
   Map fromQuads(test::gridOf(points, quads, VTK_QUAD));
   EXPECT_EQ(fromQuads.run()->GetNumberOfCells(), expected->GetNumberOfCells());
@@ -381,7 +390,7 @@ TEST(HarmonicDiskMap, StripsQuadsAndPolygons)
       test::pointOf(output, t[1]).data(), test::pointOf(output, t[2]).data());
   }
   EXPECT_NEAR(area, 1.5 * n * n, 1e-12);
-  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+  EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
 }
 
 TEST(HarmonicDiskMap, OneConcavePolygonIsACap)
@@ -398,10 +407,10 @@ TEST(HarmonicDiskMap, OneConcavePolygonIsACap)
     const Corners t = test::cornersOf(output, c);
     area += vtkTriangle::TriangleArea(test::pointOf(output, t[0]).data(),
       test::pointOf(output, t[1]).data(), test::pointOf(output, t[2]).data());
-    EXPECT_EQ(idOf(output->GetCellData(), "OriginalCellIds", c), 0);
+    EXPECT_EQ(idOf(output->GetCellData(), hexsweep::arrays::OriginalCellIds, c), 0);
   }
   EXPECT_NEAR(area, 3.0, 1e-14);
-  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+  EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
   EXPECT_EQ(test::boundaryOf(output).size(), 8u);
 }
 
@@ -413,7 +422,7 @@ TEST(HarmonicDiskMap, AnyOrientationOfTheCells)
     test::anyOrientation(sweep.linkingSides, 3));
   EXPECT_LT(greatestDiskDistance(plain.run(), turned.run()), 1e-11);
   Map alone(test::anyOrientation(sweep.sourceSurface, 4));
-  EXPECT_EQ(report(alone.run(), "SweepReportFlipsAfter"), 0);
+  EXPECT_EQ(report(alone.run(), hexsweep::reports::FlipsAfter), 0);
 }
 
 TEST(HarmonicDiskMap, SinglePrecisionFilesWork)
@@ -438,9 +447,9 @@ TEST(HarmonicDiskMap, OutputDiskAndPrecision)
   disk.filter->OutputDiskOn();
   vtkUnstructuredGrid* expected = plain.run();
   vtkUnstructuredGrid* output = disk.run();
-  vtkDataArray* surface = output->GetPointData()->GetArray("SurfacePoints");
+  vtkDataArray* surface = output->GetPointData()->GetArray(hexsweep::arrays::SurfacePoints);
   ASSERT_NE(surface, nullptr);
-  EXPECT_EQ(expected->GetPointData()->GetArray("SurfacePoints"), nullptr);
+  EXPECT_EQ(expected->GetPointData()->GetArray(hexsweep::arrays::SurfacePoints), nullptr);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     std::array<double, 3> p;
@@ -651,7 +660,7 @@ bool hasReport(vtkDataSet* data, const std::string& name)
 /// Every boundary node lies on the unit circle or on one of HoleCircles; each circle has nodes.
 void expectLoopsOnCircles(vtkUnstructuredGrid* output)
 {
-  vtkDataArray* circles = output->GetFieldData()->GetArray("HoleCircles");
+  vtkDataArray* circles = output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles);
   ASSERT_NE(circles, nullptr);
   std::vector<std::array<double, 3>> all{ { 0.0, 0.0, 1.0 } };
   for (vtkIdType h = 0; h < circles->GetNumberOfTuples(); ++h)
@@ -719,21 +728,23 @@ TEST(HarmonicDiskMap, KoebeOnThreeHoles)
   Map map(input);
   vtkUnstructuredGrid* output = map.run();
   expectOriginals(output, input);
-  EXPECT_EQ(textReport(output, "DiskMapDomain"), "Circles");
-  EXPECT_EQ(report(output, "SweepReportLoops"), 4);
-  EXPECT_EQ(output->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples(), 3);
+  EXPECT_EQ(textReport(output, hexsweep::arrays::DiskMapDomain), "Circles");
+  EXPECT_EQ(report(output, hexsweep::reports::Loops), 4);
+  EXPECT_EQ(
+    output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles)->GetNumberOfTuples(), 3);
   expectLoopsOnCircles(output);
 
-  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
-  EXPECT_EQ(report(output, "SweepReportKoebeConverged"), 1);
-  const std::vector<double> changes = reports(output, "SweepReportKoebeChanges");
+  EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
+  EXPECT_EQ(report(output, hexsweep::reports::KoebeConverged), 1);
+  const std::vector<double> changes = reports(output, hexsweep::reports::KoebeChanges);
   ASSERT_FALSE(changes.empty());
-  EXPECT_EQ(report(output, "SweepReportKoebeRounds"), static_cast<double>(changes.size() + 1));
+  EXPECT_EQ(
+    report(output, hexsweep::reports::KoebeRounds), static_cast<double>(changes.size() + 1));
   for (std::size_t k = 0; k < changes.size(); ++k)
   {
     EXPECT_EQ(changes[k] <= 1e-10, k + 1 == changes.size());
   }
-  const std::vector<double> circularity = reports(output, "SweepReportCircularity");
+  const std::vector<double> circularity = reports(output, hexsweep::reports::Circularity);
   ASSERT_EQ(circularity.size(), 4u);
   for (const double c : circularity)
   {
@@ -746,10 +757,11 @@ TEST(HarmonicDiskMap, KoebeOnTheSpongecake)
 {
   Map map(test::readGrid("fig9_spongecake/target_surface"));
   vtkUnstructuredGrid* output = map.run();
-  EXPECT_EQ(output->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples(), 37);
-  EXPECT_LE(report(output, "SweepReportKoebeRounds"), 6);
-  EXPECT_EQ(report(output, "SweepReportKoebeConverged"), 1);
-  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
+  EXPECT_EQ(
+    output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles)->GetNumberOfTuples(), 37);
+  EXPECT_LE(report(output, hexsweep::reports::KoebeRounds), 6);
+  EXPECT_EQ(report(output, hexsweep::reports::KoebeConverged), 1);
+  EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
   expectLoopsOnCircles(output);
 }
 
@@ -764,22 +776,22 @@ TEST(HarmonicDiskMap, KoebeDistortsAnglesLeast)
   vtkUnstructuredGrid* best = koebe.run();
   for (vtkUnstructuredGrid* other : { arcLength.run(), filled.run() })
   {
-    EXPECT_LT(report(best, "SweepReportMeanAngleDistortion"),
-      report(other, "SweepReportMeanAngleDistortion"));
-    EXPECT_FALSE(hasReport(other, "SweepReportKoebeRounds"));
-    EXPECT_FALSE(hasReport(other, "SweepReportCircularity"));
+    EXPECT_LT(report(best, hexsweep::reports::MeanAngleDistortion),
+      report(other, hexsweep::reports::MeanAngleDistortion));
+    EXPECT_FALSE(hasReport(other, hexsweep::reports::KoebeRounds));
+    EXPECT_FALSE(hasReport(other, hexsweep::reports::Circularity));
     // How much the energy exceeds the area says how far a map is from a conformal one.
-    EXPECT_LT(report(best, "SweepReportDirichletEnergy") / diskArea(best),
-      report(other, "SweepReportDirichletEnergy") / diskArea(other));
+    EXPECT_LT(report(best, hexsweep::reports::DirichletEnergy) / diskArea(best),
+      report(other, hexsweep::reports::DirichletEnergy) / diskArea(other));
   }
   for (vtkUnstructuredGrid* output : { best, arcLength.run(), filled.run() })
   {
-    EXPECT_GE(report(output, "SweepReportDirichletEnergy"), diskArea(output));
-    EXPECT_LE(report(output, "SweepReportMeanAngleDistortion"),
-      report(output, "SweepReportWorstAngleDistortion"));
-    EXPECT_LE(report(output, "SweepReportWorstAngleDistortion"), 180.0);
+    EXPECT_GE(report(output, hexsweep::reports::DirichletEnergy), diskArea(output));
+    EXPECT_LE(report(output, hexsweep::reports::MeanAngleDistortion),
+      report(output, hexsweep::reports::WorstAngleDistortion));
+    EXPECT_LE(report(output, hexsweep::reports::WorstAngleDistortion), 180.0);
   }
-  EXPECT_LT(report(best, "SweepReportDirichletEnergy"), 1.1 * diskArea(best));
+  EXPECT_LT(report(best, hexsweep::reports::DirichletEnergy), 1.1 * diskArea(best));
 }
 
 TEST(HarmonicDiskMap, KoebeOnOneHoleIsAnAnnulus)
@@ -787,19 +799,19 @@ TEST(HarmonicDiskMap, KoebeOnOneHoleIsAnAnnulus)
   const Grid input = test::plateSweep(1).sourceSurface;
   Map map(input);
   vtkUnstructuredGrid* output = map.run();
-  EXPECT_EQ(textReport(output, "DiskMapDomain"), "Circles");
+  EXPECT_EQ(textReport(output, hexsweep::arrays::DiskMapDomain), "Circles");
   expectLoopsOnCircles(output);
-  vtkDataArray* circles = output->GetFieldData()->GetArray("HoleCircles");
+  vtkDataArray* circles = output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles);
   ASSERT_EQ(circles->GetNumberOfTuples(), 1);
   EXPECT_EQ(circles->GetComponent(0, 0), 0.0);
   EXPECT_EQ(circles->GetComponent(0, 1), 0.0);
-  EXPECT_EQ(report(output, "SweepReportKoebeRounds"), 1);
-  EXPECT_EQ(report(output, "SweepReportKoebeConverged"), 1);
+  EXPECT_EQ(report(output, hexsweep::reports::KoebeRounds), 1);
+  EXPECT_EQ(report(output, hexsweep::reports::KoebeConverged), 1);
   // A conformal map's energy is the area of its image; polygons lie inside their circles.
   const double r = circles->GetComponent(0, 2);
   const double area = std::acos(-1.0) * (1.0 - r * r);
-  EXPECT_GT(report(output, "SweepReportDirichletEnergy"), 0.95 * area);
-  EXPECT_LT(report(output, "SweepReportDirichletEnergy"), 1.1 * area);
+  EXPECT_GT(report(output, hexsweep::reports::DirichletEnergy), 0.95 * area);
+  EXPECT_LT(report(output, hexsweep::reports::DirichletEnergy), 1.1 * area);
 }
 
 TEST(HarmonicDiskMap, KoebeThatIsCutShortWarns)
@@ -812,9 +824,9 @@ TEST(HarmonicDiskMap, KoebeThatIsCutShortWarns)
   EXPECT_NE(map.events.warnings[0].find("MaximumIterations"), std::string::npos);
   vtkUnstructuredGrid* output = map.filter->GetOutput();
   EXPECT_GT(output->GetNumberOfCells(), 0);
-  EXPECT_EQ(report(output, "SweepReportKoebeConverged"), 0);
-  EXPECT_EQ(report(output, "SweepReportKoebeRounds"), 1);
-  EXPECT_TRUE(reports(output, "SweepReportKoebeChanges").empty());
+  EXPECT_EQ(report(output, hexsweep::reports::KoebeConverged), 0);
+  EXPECT_EQ(report(output, hexsweep::reports::KoebeRounds), 1);
+  EXPECT_TRUE(reports(output, hexsweep::reports::KoebeChanges).empty());
   expectLoopsOnCircles(output);
 
   // A loose tolerance needs fewer rounds than a strict one, and no warning.
@@ -822,8 +834,8 @@ TEST(HarmonicDiskMap, KoebeThatIsCutShortWarns)
   loose.filter->SetTolerance(1e-2);
   Map strict(test::plateSweep(3).sourceSurface);
   strict.filter->SetTolerance(1e-16);
-  EXPECT_LT(
-    report(loose.run(), "SweepReportKoebeRounds"), report(strict.run(), "SweepReportKoebeRounds"));
+  EXPECT_LT(report(loose.run(), hexsweep::reports::KoebeRounds),
+    report(strict.run(), hexsweep::reports::KoebeRounds));
 }
 
 TEST(HarmonicDiskMap, KoebeReportsProgressAndAborts)
@@ -866,10 +878,10 @@ TEST(HarmonicDiskMap, KoebeTakesMeanValueWeights)
   Map cotangent(test::plateSweep(3).sourceSurface);
   Map meanValue(test::plateSweep(3).sourceSurface);
   meanValue.filter->SetWeightsToMeanValue();
-  vtkDataArray* expected = cotangent.run()->GetFieldData()->GetArray("HoleCircles");
+  vtkDataArray* expected = cotangent.run()->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles);
   vtkUnstructuredGrid* output = meanValue.run();
-  EXPECT_EQ(textReport(output, "SweepReportMethod"), "MeanValue");
-  vtkDataArray* circles = output->GetFieldData()->GetArray("HoleCircles");
+  EXPECT_EQ(textReport(output, hexsweep::reports::Method), "MeanValue");
+  vtkDataArray* circles = output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles);
   for (vtkIdType h = 0; h < 3; ++h)
   {
     for (int c = 0; c < 3; ++c)

@@ -2,6 +2,8 @@
 // vtkHexValidity against Verdict, and what it says about bad meshes.
 #include "TestEvents.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkHexValidity.h>
 
 #include <vtkCallbackCommand.h>
@@ -123,19 +125,29 @@ struct Judgement
   vtkDataSet* output() { return this->filter->GetOutput(); }
   double scaledJacobian(vtkIdType cell)
   {
-    return this->output()->GetCellData()->GetArray("ScaledJacobian")->GetTuple1(cell);
+    return this->output()
+      ->GetCellData()
+      ->GetArray(hexsweep::arrays::ScaledJacobian)
+      ->GetTuple1(cell);
   }
   double lowerBound(vtkIdType cell)
   {
-    return this->output()->GetCellData()->GetArray("JacobianLowerBound")->GetTuple1(cell);
+    return this->output()
+      ->GetCellData()
+      ->GetArray(hexsweep::arrays::JacobianLowerBound)
+      ->GetTuple1(cell);
   }
   int validity(vtkIdType cell)
   {
-    return static_cast<int>(this->output()->GetCellData()->GetArray("Validity")->GetTuple1(cell));
+    return static_cast<int>(
+      this->output()->GetCellData()->GetArray(hexsweep::arrays::Validity)->GetTuple1(cell));
   }
   double report(const std::string& name)
   {
-    return this->output()->GetFieldData()->GetArray(("SweepReport" + name).c_str())->GetTuple1(0);
+    return this->output()
+      ->GetFieldData()
+      ->GetArray((hexsweep::reports::Prefix + name).c_str())
+      ->GetTuple1(0);
   }
 };
 }

@@ -3,6 +3,8 @@
 
 #include "CapGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCellArray.h>
 #include <vtkDelaunay2D.h>
 #include <vtkPolyData.h>
@@ -83,15 +85,15 @@ TEST(ImproveTriangulation, OffFlipsAndAutomaticDoesNot)
 {
   const test::Grid grid = stretchedGrid(1000.0);
   const auto off = run(grid, vtkHarmonicDiskMap::OFF);
-  EXPECT_GT(test::report(off->GetOutput(), "SweepReportFlipsBefore"), 0.0);
-  EXPECT_EQ(test::report(off->GetOutput(), "SweepReportEdgeFlips"), 0.0);
+  EXPECT_GT(test::report(off->GetOutput(), hexsweep::reports::FlipsBefore), 0.0);
+  EXPECT_EQ(test::report(off->GetOutput(), hexsweep::reports::EdgeFlips), 0.0);
   for (const int improvement : { vtkHarmonicDiskMap::AUTOMATIC, vtkHarmonicDiskMap::ON })
   {
     const auto filter = run(grid, improvement);
     vtkUnstructuredGrid* output = filter->GetOutput();
-    EXPECT_EQ(test::report(output, "SweepReportFlipsAfter"), 0.0);
-    EXPECT_GT(test::report(output, "SweepReportEdgeFlips"), 100.0);
-    EXPECT_EQ(test::report(output, "SweepReportAddedPoints"), 0.0);
+    EXPECT_EQ(test::report(output, hexsweep::reports::FlipsAfter), 0.0);
+    EXPECT_GT(test::report(output, hexsweep::reports::EdgeFlips), 100.0);
+    EXPECT_EQ(test::report(output, hexsweep::reports::AddedPoints), 0.0);
   }
 }
 

@@ -2,6 +2,8 @@
 // The projection does not know the unit of length, the axes, or the origin.
 #include "CapGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkSweepQuadProjector.h>
 
 #include <Eigen/Geometry>
@@ -90,8 +92,8 @@ Result project(const SweepGrids& sweep, Setting setting)
 
 double diskDistance(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
-  vtkDataArray* one = a->GetPointData()->GetArray("DiskCoordinates");
-  vtkDataArray* other = b->GetPointData()->GetArray("DiskCoordinates");
+  vtkDataArray* one = a->GetPointData()->GetArray(hexsweep::arrays::DiskCoordinates);
+  vtkDataArray* other = b->GetPointData()->GetArray(hexsweep::arrays::DiskCoordinates);
   double greatest = one->GetNumberOfTuples() == other->GetNumberOfTuples() ? 0.0 : VTK_DOUBLE_MAX;
   for (vtkIdType i = 0; greatest < 1e9 && i < one->GetNumberOfTuples(); ++i)
   {
@@ -156,8 +158,8 @@ TEST_P(Invariance, OfDiskMapsAndQuads)
         // rounding gives it a sign.
         continue;
       }
-      for (const char* count :
-        { "SweepReportInvertedQuads", "SweepReportInvertedBefore", "SweepReportRounds" })
+      for (const char* count : { hexsweep::reports::InvertedQuads,
+             hexsweep::reports::InvertedBefore, hexsweep::reports::Rounds })
       {
         EXPECT_EQ(report(moved.quads, count), report(reference.quads, count)) << count;
       }

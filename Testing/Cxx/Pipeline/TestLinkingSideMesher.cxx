@@ -2,6 +2,8 @@
 // The chain of single filters on the parts of CAD solids, beside the one filter for all.
 #include "SolidGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCageHexInterior.h>
 #include <vtkIntArray.h>
 #include <vtkLinkingSideMesher.h>
@@ -15,11 +17,11 @@ using test::report;
 /// Cells whose face id is (or is not) among some.
 test::Grid facesOf(vtkUnstructuredGrid* solid, const std::vector<vtkIdType>& ids, bool wanted)
 {
-  vtkDataArray* faceIds = solid->GetCellData()->GetArray("FaceId");
+  vtkDataArray* faceIds = solid->GetCellData()->GetArray(hexsweep::arrays::FaceId);
   auto part = test::Grid::New();
   part->SetPoints(solid->GetPoints());
   vtkNew<vtkIntArray> kept;
-  kept->SetName("FaceId");
+  kept->SetName(hexsweep::arrays::FaceId);
   for (vtkIdType c = 0; c < solid->GetNumberOfCells(); ++c)
   {
     const vtkIdType id = static_cast<vtkIdType>(faceIds->GetTuple1(c));
@@ -84,7 +86,7 @@ TEST_P(LinkingSideMesher, ChainGivesWhatTheOneFilterGives)
   }
   auto* linking = vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
   EXPECT_EQ(linking->GetNumberOfCells(), cad.loopNodes * cad.layers);
-  EXPECT_EQ(report(linking, "SweepReportKeptEdges"), static_cast<double>(cad.columnEdges));
+  EXPECT_EQ(report(linking, hexsweep::reports::KeptEdges), static_cast<double>(cad.columnEdges));
 
   test::SolidSweep sweep(parts.solid, parts.quads);
   sweep.name(cad.source, cad.target);
@@ -92,12 +94,12 @@ TEST_P(LinkingSideMesher, ChainGivesWhatTheOneFilterGives)
   sweep.filter->Update();
   auto* hexes = vtkUnstructuredGrid::SafeDownCast(interior->GetOutputDataObject(0));
   ASSERT_EQ(hexes->GetNumberOfCells(), sweep.hexes()->GetNumberOfCells());
-  EXPECT_EQ(report(hexes, "SweepReportNotCertified"), 0.0);
+  EXPECT_EQ(report(hexes, hexsweep::reports::NotCertified), 0.0);
   EXPECT_LT(test::greatestDistance(hexes, sweep.hexes()), 1e-6 * test::sizeOf(parts.solid));
 
   // Face ids are those of the solid, with about their areas.
-  const auto areas = test::areasById(parts.sides, "FaceId");
-  for (const auto& [id, area] : test::areasById(linking, "BoundaryId"))
+  const auto areas = test::areasById(parts.sides, hexsweep::arrays::FaceId);
+  for (const auto& [id, area] : test::areasById(linking, hexsweep::arrays::BoundaryId))
   {
     ASSERT_EQ(areas.count(id), 1u);
     EXPECT_NEAR(area / areas.at(id), 1.0, 0.12) << id;
@@ -134,7 +136,7 @@ TEST(LinkingSideMesher, EdgesByAngleWithoutFaceIds)
   mesher->Update();
   // The edges of the square run out in the circle: they are sharp at the source only.
   EXPECT_EQ(report(vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0)),
-              "SweepReportKeptEdges"),
+              hexsweep::reports::KeptEdges),
     0.0);
 }
 

@@ -2,6 +2,8 @@
 // From CAD solids to certified hexahedra in one filter.
 #include "SolidGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkIntArray.h>
 #include <vtkMeshQuality.h>
 #include <vtkMultiBlockDataSet.h>
@@ -20,7 +22,7 @@ constexpr int ExodusSides[6][4] = { { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6
 void expectCertified(vtkUnstructuredGrid* hexes)
 {
   ASSERT_GT(hexes->GetNumberOfCells(), 0);
-  vtkDataArray* validity = hexes->GetCellData()->GetArray("Validity");
+  vtkDataArray* validity = hexes->GetCellData()->GetArray(hexsweep::arrays::Validity);
   for (vtkIdType h = 0; h < hexes->GetNumberOfCells(); ++h)
   {
     EXPECT_EQ(validity->GetTuple1(h), 0.0) << h;
@@ -51,9 +53,9 @@ void expectBoundaryOf(vtkUnstructuredGrid* boundary, vtkUnstructuredGrid* hexes)
 {
   const std::map<vtkIdType, vtkIdType> unmatched = test::boundaryOf(boundary);
   EXPECT_TRUE(unmatched.empty()) << "the boundary is not closed";
-  vtkDataArray* pointIds = boundary->GetPointData()->GetArray("HexPointIds");
-  vtkDataArray* hexIds = boundary->GetCellData()->GetArray("HexId");
-  vtkDataArray* sides = boundary->GetCellData()->GetArray("HexSide");
+  vtkDataArray* pointIds = boundary->GetPointData()->GetArray(hexsweep::arrays::HexPointIds);
+  vtkDataArray* hexIds = boundary->GetCellData()->GetArray(hexsweep::arrays::HexId);
+  vtkDataArray* sides = boundary->GetCellData()->GetArray(hexsweep::arrays::HexSide);
   std::set<std::pair<double, double>> seen;
   for (vtkIdType c = 0; c < boundary->GetNumberOfCells(); ++c)
   {
@@ -106,13 +108,13 @@ TEST_P(CadSolids, GivenQuads)
     boundary->GetNumberOfCells(), 2 * quads->GetNumberOfCells() + solid.loopNodes * solid.layers);
   expectOnSolid(boundary, surface);
   expectBoundaryOf(boundary, hexes);
-  EXPECT_EQ(report(hexes, "SweepReportKeptEdges"), static_cast<double>(solid.columnEdges));
-  EXPECT_EQ(report(hexes, "SweepReportLostEdges"), 0.0);
+  EXPECT_EQ(report(hexes, hexsweep::reports::KeptEdges), static_cast<double>(solid.columnEdges));
+  EXPECT_EQ(report(hexes, hexsweep::reports::LostEdges), 0.0);
   EXPECT_NEAR(test::enclosedVolume(boundary) / test::enclosedVolume(surface), 1.0, 0.02);
 
   // Every face of the solid is there, with about its area.
-  const auto expected = test::areasById(surface, "FaceId");
-  const auto found = test::areasById(boundary, "BoundaryId");
+  const auto expected = test::areasById(surface, hexsweep::arrays::FaceId);
+  const auto found = test::areasById(boundary, hexsweep::arrays::BoundaryId);
   ASSERT_EQ(found.size(), expected.size());
   for (const auto& [id, area] : expected)
   {
@@ -138,8 +140,8 @@ TEST_P(CadSolids, QuadsAreMade)
     expectOnSolid(sweep.boundary(), surface);
     expectBoundaryOf(sweep.boundary(), sweep.hexes());
     EXPECT_EQ(
-      report(sweep.hexes(), "SweepReportKeptEdges"), static_cast<double>(solid.columnEdges));
-    EXPECT_EQ(report(sweep.hexes(), "SweepReportTargetFaceIds"),
+      report(sweep.hexes(), hexsweep::reports::KeptEdges), static_cast<double>(solid.columnEdges));
+    EXPECT_EQ(report(sweep.hexes(), hexsweep::reports::TargetFaceIds),
       static_cast<double>((swapped ? solid.source : solid.target).front()));
   }
 }
@@ -216,7 +218,7 @@ TEST(OneToOneSweep, PointsRepeatedAlongEdgesAreMerged)
   sweep.filter->Update();
   EXPECT_EQ(sweep.messages(), "");
   expectCertified(sweep.hexes());
-  EXPECT_EQ(report(sweep.hexes(), "SweepReportMergedPoints"),
+  EXPECT_EQ(report(sweep.hexes(), hexsweep::reports::MergedPoints),
     static_cast<double>(soup->GetNumberOfPoints() - surface->GetNumberOfPoints()));
 }
 
@@ -253,7 +255,7 @@ test::Grid facettedCylinder(int sides, double radius, double height, int rows)
   vtkNew<vtkPoints> points;
   auto grid = test::Grid::New();
   vtkNew<vtkIntArray> faces;
-  faces->SetName("FaceId");
+  faces->SetName(hexsweep::arrays::FaceId);
   const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c, int face) {
     const vtkIdType ids[3] = { a, b, c };
     grid->InsertNextCell(VTK_TRIANGLE, 3, ids);
@@ -334,7 +336,7 @@ TEST(OneToOneSweep, ColumnsOfAThinPlateStandUpright)
     const auto high = test::pointOf(hexes, i + 2 * n);
     EXPECT_LT(std::hypot(high[0] - low[0], high[1] - low[1]), 0.005) << i;
   }
-  EXPECT_GT(report(hexes, "SweepReportMinScaledJacobian"), 0.3);
+  EXPECT_GT(report(hexes, hexsweep::reports::MinScaledJacobian), 0.3);
 }
 
 TEST(OneToOneSweep, AbortsWithEmptyOutputs)
@@ -374,7 +376,7 @@ TEST(OneToOneSweep, VolumeIdIsCarried)
     sweep.filter->SetNumberOfLayers(2);
     sweep.filter->Update();
     std::set<double> ids;
-    vtkDataArray* array = sweep.hexes()->GetCellData()->GetArray("VolumeId");
+    vtkDataArray* array = sweep.hexes()->GetCellData()->GetArray(hexsweep::arrays::VolumeId);
     for (vtkIdType c = 0; array && c < array->GetNumberOfTuples(); ++c)
     {
       ids.insert(array->GetTuple1(c));
@@ -384,7 +386,7 @@ TEST(OneToOneSweep, VolumeIdIsCarried)
   const test::Grid surface = test::solidGrid("bracket");
   EXPECT_EQ(volumeIds(surface), std::set<double>{});
   vtkNew<vtkDoubleArray> ids;
-  ids->SetName("VolumeId");
+  ids->SetName(hexsweep::arrays::VolumeId);
   ids->SetNumberOfValues(surface->GetNumberOfCells());
   ids->Fill(7.0);
   surface->GetCellData()->AddArray(ids);
@@ -392,11 +394,13 @@ TEST(OneToOneSweep, VolumeIdIsCarried)
   ids->SetValue(5, 8.0); // no one volume
   EXPECT_EQ(volumeIds(surface), std::set<double>{});
   // As gmsh writes it: the volume cells' own entity, beside those of the faces.
-  surface->GetCellData()->RemoveArray("VolumeId");
-  surface->GetCellData()->GetArray("FaceId")->SetName("CellEntityIds");
+  surface->GetCellData()->RemoveArray(hexsweep::arrays::VolumeId);
+  surface->GetCellData()
+    ->GetArray(hexsweep::arrays::FaceId)
+    ->SetName(hexsweep::arrays::CellEntityIds);
   const vtkIdType corners[4] = { 0, 1, 2, 3 };
   surface->InsertNextCell(VTK_TETRA, 4, corners);
-  surface->GetCellData()->GetArray("CellEntityIds")->InsertNextTuple1(31.0);
+  surface->GetCellData()->GetArray(hexsweep::arrays::CellEntityIds)->InsertNextTuple1(31.0);
   EXPECT_EQ(volumeIds(surface), std::set<double>{ 31.0 });
 }
 }

@@ -3,6 +3,7 @@
 #include "Core/Solids/FaceQuads.h"
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/TargetFaces.h"
+#include "HexSweepArrays.h"
 #include "HexSweepSolidReader.h"
 
 #include "Support/SolidShapes.h"
@@ -199,7 +200,7 @@ Grid gmshBox(int missing = 0)
     grid->InsertNextCell(VTK_TETRA, points);
     ids.push_back(1);
   }
-  addIds(grid, "CellEntityIds", ids);
+  addIds(grid, hexsweep::arrays::CellEntityIds, ids);
   return grid;
 }
 }
@@ -211,7 +212,7 @@ TEST(SolidReader, TheSolidsComeApartAsTheirCasesSay)
     SCOPED_TRACE(known.name);
     const Grid grid = readGrid(known.name + "/solid");
     const SolidData data = readSolid(grid);
-    EXPECT_EQ(data.faceIdArray, "FaceId");
+    EXPECT_EQ(data.faceIdArray, hexsweep::arrays::FaceId);
     EXPECT_FALSE(data.fromVolume);
     EXPECT_EQ(data.surface.quads.rows(), 0);
     const SolidSurface solid = makeSolidSurface(data.surface);
@@ -398,7 +399,7 @@ TEST(SolidReader, QuadsOfAFace)
   source->SetXLength(2.0);
   source->Update();
   vtkPolyData* cube = source->GetOutput();
-  addIds(cube, "FaceId", { 1, 2, 3, 4, 5, 6 });
+  addIds(cube, hexsweep::arrays::FaceId, { 1, 2, 3, 4, 5, 6 });
   // One face turned over.
   vtkNew<vtkIdList> corners;
   cube->GetCellPoints(5, corners);
@@ -454,7 +455,7 @@ TEST(SolidReader, SurfaceCellsBesideVolumesKeepTheirIds)
   const Grid grid = gmshBox();
   const SolidData data = readSolid(grid);
   EXPECT_FALSE(data.fromVolume);
-  EXPECT_EQ(data.faceIdArray, "CellEntityIds");
+  EXPECT_EQ(data.faceIdArray, hexsweep::arrays::CellEntityIds);
   EXPECT_EQ(data.ignoredCells, 2);
   EXPECT_EQ(data.surface.points.rows(), grid->GetNumberOfPoints());
   const SolidSurface solid = makeSolidSurface(data.surface);
@@ -510,7 +511,7 @@ TEST(SolidReader, SurfaceCellsBetweenVolumesAreLeftOut)
     mesh->InsertNextCell(VTK_HEXAHEDRON, corners);
     ids.push_back(99);
   }
-  addIds(mesh, "CellEntityIds", ids);
+  addIds(mesh, hexsweep::arrays::CellEntityIds, ids);
 
   const SolidData data = readSolid(mesh);
   EXPECT_FALSE(data.fromVolume);
@@ -539,9 +540,9 @@ TEST(SolidReader, AClosedSurfaceThatIsNotTheVolumesOwn)
   vtkNew<vtkCleanPolyData> clean;
   clean->SetInputConnection(triangles->GetOutputPort());
   clean->Update();
-  addIds(clean->GetOutput(), "FaceId", { 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6 });
+  addIds(clean->GetOutput(), hexsweep::arrays::FaceId, { 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6 });
   const Grid hexes = hexBox(2, 2, 2);
-  addIds(hexes, "FaceId", std::vector<int>(8, 7));
+  addIds(hexes, hexsweep::arrays::FaceId, std::vector<int>(8, 7));
   vtkNew<vtkAppendFilter> both;
   both->AddInputData(clean->GetOutput());
   both->AddInputData(hexes);
@@ -589,9 +590,9 @@ TEST(SolidReader, WhichArrayHasTheFaceIds)
   vtkNew<vtkCubeSource> source;
   source->Update();
   vtkPolyData* cube = source->GetOutput();
-  addIds(cube, "CellEntityIds", { 1, 2, 3, 4, 5, 6 });
+  addIds(cube, hexsweep::arrays::CellEntityIds, { 1, 2, 3, 4, 5, 6 });
   EXPECT_EQ(readSolid(cube).surface.faceIds.front(), 1);
-  addIds(cube, "FaceId", { 11, 12, 13, 14, 15, 16 });
+  addIds(cube, hexsweep::arrays::FaceId, { 11, 12, 13, 14, 15, 16 });
   EXPECT_EQ(readSolid(cube).surface.faceIds.front(), 11);
   addIds(cube, "Other", { 21, 22, 23, 24, 25, 26 });
   EXPECT_EQ(readSolid(cube, "Other").surface.faceIds,
@@ -637,12 +638,12 @@ TEST(SolidReader, ArraysThatAreNoFaceIds)
   vectors->SetNumberOfTuples(6);
   cube->GetCellData()->AddArray(vectors);
   expectInvalid([&] { readSolid(cube, "Vectors"); }, "have 3 components");
-  addIds(cube, "FaceId", { 1, 2, 3 });
+  addIds(cube, hexsweep::arrays::FaceId, { 1, 2, 3 });
   expectInvalid([&] { readSolid(cube); }, "have 3 entries for 6 cells");
   vtkNew<vtkIntArray> points;
-  points->SetName("FaceId");
+  points->SetName(hexsweep::arrays::FaceId);
   points->SetNumberOfTuples(cube->GetNumberOfPoints());
-  cube->GetCellData()->RemoveArray("FaceId");
+  cube->GetCellData()->RemoveArray(hexsweep::arrays::FaceId);
   cube->GetPointData()->AddArray(points);
   expectInvalid([&] { readSolid(cube); }, "\"FaceId\" are a point array");
 }

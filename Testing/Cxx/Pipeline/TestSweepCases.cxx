@@ -2,6 +2,8 @@
 // From the files of each case to quads and hexes, all settings at their defaults.
 #include "CapGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCageHexInterior.h>
 #include <vtkSweepQuadProjector.h>
 
@@ -71,7 +73,7 @@ struct HexCount
 HexCount count(vtkUnstructuredGrid* grid)
 {
   HexCount result;
-  vtkDataArray* validity = grid->GetCellData()->GetArray("Validity");
+  vtkDataArray* validity = grid->GetCellData()->GetArray(hexsweep::arrays::Validity);
   result.hexes = grid->GetNumberOfCells();
   for (vtkIdType h = 0; h < result.hexes; ++h)
   {
@@ -93,10 +95,10 @@ TEST_P(SweepCases, EveryElementIsValid)
   vtkUnstructuredGrid* quads = swept.projector->GetOutput();
   ASSERT_GT(quads->GetNumberOfCells(), 0);
   EXPECT_TRUE(swept.projectorEvents.warnings.empty()) << swept.projectorEvents.warnings[0];
-  EXPECT_EQ(report(quads, "SweepReportInvertedQuads"), 0);
-  EXPECT_EQ(report(quads, "SweepReportFlipsAfter"), 0);
-  EXPECT_GE(report(quads, "SweepReportMinScaledJacobian"), LeastShare * reached.quadMinimum);
-  EXPECT_GE(report(quads, "SweepReportMeanScaledJacobian"), reached.quadMean - MeanRoom);
+  EXPECT_EQ(report(quads, hexsweep::reports::InvertedQuads), 0);
+  EXPECT_EQ(report(quads, hexsweep::reports::FlipsAfter), 0);
+  EXPECT_GE(report(quads, hexsweep::reports::MinScaledJacobian), LeastShare * reached.quadMinimum);
+  EXPECT_GE(report(quads, hexsweep::reports::MeanScaledJacobian), reached.quadMean - MeanRoom);
 
   const HexCount hexes = count(swept.interior->GetOutput());
   ASSERT_GT(hexes.hexes, 0);
@@ -214,7 +216,7 @@ TEST_P(BentSweeps, EveryElementIsValid)
   const auto& [name, bend] = GetParam();
   Swept swept(bent(test::readCase(name), bend));
   ASSERT_GT(swept.projector->GetOutput()->GetNumberOfCells(), 0);
-  EXPECT_EQ(report(swept.projector->GetOutput(), "SweepReportInvertedQuads"), 0);
+  EXPECT_EQ(report(swept.projector->GetOutput(), hexsweep::reports::InvertedQuads), 0);
   const HexCount hexes = count(swept.interior->GetOutput());
   ASSERT_GT(hexes.hexes, 0);
   EXPECT_EQ(hexes.inverted, 0);

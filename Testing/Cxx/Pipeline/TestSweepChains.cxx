@@ -2,6 +2,8 @@
 // Volumes that share faces become one conforming mesh: stacked, and side by side.
 #include "BlockSolids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkMeshQuality.h>
 
 #include <memory>
@@ -62,7 +64,7 @@ std::unique_ptr<SolidSweep> sweep(
   EXPECT_EQ(result->messages(), "");
   vtkUnstructuredGrid* hexes = result->hexes();
   EXPECT_GT(hexes->GetNumberOfCells(), 0);
-  EXPECT_EQ(report(hexes, "SweepReportNotCertified"), 0.0);
+  EXPECT_EQ(report(hexes, hexsweep::reports::NotCertified), 0.0);
   return result;
 }
 
@@ -119,10 +121,10 @@ TEST(SweepChains, ThreeStackedAndOneBeside)
   // On top: the target quads of each are the source quads of the next.
   const Block secondBlock = blockOf(Tessellation, onWedge);
   const auto second = sweep(blockFaces(secondBlock, allFaces()),
-    cellsWith(first->boundary(), "BoundaryPart", 1), Bottom, 3);
+    cellsWith(first->boundary(), hexsweep::arrays::BoundaryPart, 1), Bottom, 3);
   const Block thirdBlock = blockOf(Tessellation, onTop);
   const auto third = sweep(blockFaces(thirdBlock, allFaces()),
-    cellsWith(second->boundary(), "BoundaryPart", 1), Bottom, 2);
+    cellsWith(second->boundary(), hexsweep::arrays::BoundaryPart, 1), Bottom, 2);
 
   // Beside: the quads of the first one's right face stand for the left face of the neighbour.
   constexpr int Beside = 4;
@@ -133,7 +135,7 @@ TEST(SweepChains, ThreeStackedAndOneBeside)
                            turned({ 2.0, 0.1 * j + bend, 0.1 * k + bend }));
                        } };
   Grid besideSolid = blockFaces(block, { Bottom, Top, Right, Front, Back });
-  addFace(besideSolid, cellsWith(first->boundary(), "BoundaryId", Right), Left);
+  addFace(besideSolid, cellsWith(first->boundary(), hexsweep::arrays::BoundaryId, Right), Left);
   const auto beside = sweep(besideSolid, blockFaces(block, { Bottom }, { Bottom }), Bottom, Layers);
 
   constexpr int LayersInAll = Layers + 3 + 2;
@@ -194,7 +196,7 @@ TEST_P(SweepNeighbours, SharedNodesAreKept)
   std::set<int> others = allFaces();
   others.erase(shared);
   Grid solid = blockFaces(block, others);
-  Grid quads = cellsWith(first->boundary(), "BoundaryId", neighbour.face);
+  Grid quads = cellsWith(first->boundary(), hexsweep::arrays::BoundaryId, neighbour.face);
   quads = shuffledCells(neighbour.inside ? quads : turnedOver(quads), 7);
   addFace(solid, quads, shared);
   const int source = neighbour.downward ? Top : Bottom;
@@ -235,7 +237,7 @@ void expectKept(SolidSweep& swept, const MeshedBlock& meshed, int face)
   {
     expected.insert(pointOf(quads, i));
   }
-  const Grid found = cellsWith(swept.boundary(), "BoundaryId", face);
+  const Grid found = cellsWith(swept.boundary(), hexsweep::arrays::BoundaryId, face);
   std::set<Point> nodes;
   for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
   {
@@ -267,7 +269,7 @@ TEST(SweepChains, QuadsOfTheSolidItselfAreTheSource)
 {
   const MeshedBlock meshed{ blockOf({ 5, 4, 3 }, wedge), { Bottom, Left, Back } };
   const auto swept = sweep(meshed.solid(), nullptr, Bottom, 3);
-  EXPECT_EQ(textReport(swept->hexes(), "SweepReportSourceQuads"), "Solid");
+  EXPECT_EQ(textReport(swept->hexes(), hexsweep::reports::SourceQuads), "Solid");
   expectKept(*swept, meshed, Bottom);
   expectKept(*swept, meshed, Left);
   expectKept(*swept, meshed, Back);
@@ -277,7 +279,7 @@ TEST(SweepChains, MadeQuadsBeginAtTheNodesOfMeshedSides)
 {
   const MeshedBlock meshed{ blockOf({ 6, 4, 3 }, wedge), { Left, Back } };
   const auto swept = sweep(meshed.solid(), nullptr, Bottom, 3);
-  EXPECT_EQ(textReport(swept->hexes(), "SweepReportSourceQuads"), "made");
+  EXPECT_EQ(textReport(swept->hexes(), hexsweep::reports::SourceQuads), "made");
   expectKept(*swept, meshed, Left);
   expectKept(*swept, meshed, Back);
 }
@@ -304,7 +306,7 @@ TEST(SweepChains, PartOfASideIsKept)
   const Block block = blockOf({ 5, 6, 3 }, wedge);
   const Grid solid = withHalfOfLeftFace(block, 2, 4, true);
   const auto swept = sweep(solid, MeshedBlock{ block, {} }.source(), Bottom, 3);
-  const Grid found = cellsWith(swept->boundary(), "BoundaryId", Left);
+  const Grid found = cellsWith(swept->boundary(), hexsweep::arrays::BoundaryId, Left);
   ASSERT_EQ(found->GetNumberOfCells(), 2 * 3);
   std::set<Point> nodes;
   for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
@@ -332,7 +334,7 @@ TEST(SweepChains, QuadsThatEndBelowTheTargetAreNotKept)
   ASSERT_EQ(swept.events.warnings.size(), 1u);
   EXPECT_NE(swept.events.warnings[0].find("target cap"), std::string::npos)
     << swept.events.warnings[0];
-  EXPECT_EQ(report(swept.hexes(), "SweepReportNotCertified"), 0.0);
+  EXPECT_EQ(report(swept.hexes(), hexsweep::reports::NotCertified), 0.0);
 }
 
 TEST(SweepChains, OtherNumberOfLayersIsRefused)

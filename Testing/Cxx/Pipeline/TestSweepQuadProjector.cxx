@@ -2,6 +2,8 @@
 // vtkSweepQuadProjector: where nodes go, what it carries, what it refuses.
 #include "CapGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkHarmonicDiskMap.h>
 #include <vtkSweepQuadProjector.h>
 
@@ -173,13 +175,13 @@ TEST(SweepQuadProjector, NoQuadIsInvertedOnTheEasyCases)
   for (const char* name : { "ubend", "c_open", "taper10", "twist270_L", "gear_round" })
   {
     Projection projection(test::readCase(name));
-    EXPECT_EQ(report(projection.run(), "SweepReportInvertedQuads"), 0) << name;
+    EXPECT_EQ(report(projection.run(), hexsweep::reports::InvertedQuads), 0) << name;
     vtkUnstructuredGrid* output = projection.raw().run();
-    EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0) << name;
-    EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0) << name;
-    EXPECT_EQ(report(output, "SweepReportOutside"), 0) << name;
-    EXPECT_GT(report(output, "SweepReportMinScaledJacobian"), 0.0) << name;
-    EXPECT_EQ(test::textReport(output, "SweepReportMethod"), "Harmonic");
+    EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0) << name;
+    EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0) << name;
+    EXPECT_EQ(report(output, hexsweep::reports::Outside), 0) << name;
+    EXPECT_GT(report(output, hexsweep::reports::MinScaledJacobian), 0.0) << name;
+    EXPECT_EQ(test::textReport(output, hexsweep::reports::Method), "Harmonic");
     EXPECT_TRUE(projection.events.warnings.empty());
   }
 }
@@ -192,9 +194,9 @@ TEST(SweepQuadProjector, FewQuadsAreInvertedInThePapersFigures)
   {
     Projection projection(test::readCase(name));
     vtkUnstructuredGrid* output = projection.raw().run();
-    const double inverted = report(output, "SweepReportInvertedQuads");
+    const double inverted = report(output, hexsweep::reports::InvertedQuads);
     EXPECT_LE(inverted, count) << name;
-    EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0) << name;
+    EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0) << name;
     // Said aloud, with the number, if there are any.
     ASSERT_EQ(projection.events.warnings.size(), inverted > 0 ? 1u : 0u);
     if (inverted > 0)
@@ -203,7 +205,7 @@ TEST(SweepQuadProjector, FewQuadsAreInvertedInThePapersFigures)
         projection.events.warnings[0].find(std::to_string(static_cast<int>(inverted)) + " of "),
         std::string::npos);
     }
-    vtkDataArray* jacobian = output->GetCellData()->GetArray("ScaledJacobian");
+    vtkDataArray* jacobian = output->GetCellData()->GetArray(hexsweep::arrays::ScaledJacobian);
     double found = 0.0;
     for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
     {
@@ -234,12 +236,13 @@ TEST(SweepQuadProjector, ScaledJacobianEqualsVerdictOnAPlaneTarget)
   for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
   {
     const double verdict = vtkMeshQuality::QuadScaledJacobian(output->GetCell(c));
-    EXPECT_NEAR(output->GetCellData()->GetArray("ScaledJacobian")->GetTuple1(c), verdict, 1e-9);
+    EXPECT_NEAR(output->GetCellData()->GetArray(hexsweep::arrays::ScaledJacobian)->GetTuple1(c),
+      verdict, 1e-9);
     low = std::min(low, verdict);
     sum += verdict;
   }
-  EXPECT_NEAR(report(output, "SweepReportMinScaledJacobian"), low, 1e-9);
-  EXPECT_NEAR(report(output, "SweepReportMeanScaledJacobian"),
+  EXPECT_NEAR(report(output, hexsweep::reports::MinScaledJacobian), low, 1e-9);
+  EXPECT_NEAR(report(output, hexsweep::reports::MeanScaledJacobian),
     sum / static_cast<double>(output->GetNumberOfCells()), 1e-9);
 }
 
@@ -280,12 +283,13 @@ TEST(SweepQuadProjector, OutputsOfTheMapsEqualTheDiskMapFilters)
       auto* output =
         vtkUnstructuredGrid::SafeDownCast(projection.filter->GetOutputDataObject(port));
       test::expectSameBits(output, expected);
-      for (const char* name : { "DiskMapDomain", "SweepReportMethod" })
+      for (const char* name : { hexsweep::arrays::DiskMapDomain, hexsweep::reports::Method })
       {
         EXPECT_EQ(test::textReport(output, name), test::textReport(expected, name));
       }
-      EXPECT_EQ(output->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples(),
-        expected->GetFieldData()->GetArray("HoleCircles")->GetNumberOfTuples());
+      EXPECT_EQ(
+        output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles)->GetNumberOfTuples(),
+        expected->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles)->GetNumberOfTuples());
     }
   }
 }
@@ -301,12 +305,12 @@ TEST(SweepQuadProjector, MapsFromTheInputAreHandedOn)
   {
     auto* output = vtkUnstructuredGrid::SafeDownCast(projection.filter->GetOutputDataObject(port));
     EXPECT_EQ(test::greatestDistance(output, expected), 0.0);
-    for (const char* name : { "DiskMapDomain", "SweepReportMethod" })
+    for (const char* name : { hexsweep::arrays::DiskMapDomain, hexsweep::reports::Method })
     {
       EXPECT_EQ(test::textReport(output, name), test::textReport(expected, name));
     }
-    vtkDataArray* circles = output->GetFieldData()->GetArray("HoleCircles");
-    vtkDataArray* wanted = expected->GetFieldData()->GetArray("HoleCircles");
+    vtkDataArray* circles = output->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles);
+    vtkDataArray* wanted = expected->GetFieldData()->GetArray(hexsweep::arrays::HoleCircles);
     ASSERT_EQ(circles->GetNumberOfTuples(), wanted->GetNumberOfTuples());
     for (vtkIdType h = 0; h < wanted->GetNumberOfTuples(); ++h)
     {
@@ -324,11 +328,11 @@ TEST(SweepQuadProjector, WithoutSourceSurfaceTheQuadsAreTheirOwn)
     sweep.sourceSurface = nullptr;
     Projection own(sweep);
     vtkUnstructuredGrid* output = own.raw().run();
-    EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0) << name;
+    EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0) << name;
     EXPECT_LT(test::greatestDistance(output, full.raw().run()), 0.1 * test::sizeOf(output)) << name;
     // Two triangles a quad, which know their quad.
     auto* source = vtkUnstructuredGrid::SafeDownCast(own.filter->GetOutputDataObject(1));
-    vtkDataArray* ids = source->GetCellData()->GetArray("OriginalCellIds");
+    vtkDataArray* ids = source->GetCellData()->GetArray(hexsweep::arrays::OriginalCellIds);
     ASSERT_NE(ids, nullptr);
     double range[2];
     ids->GetRange(range);
@@ -353,7 +357,7 @@ TEST(SweepQuadProjector, EitherOrientationOfTheSourceQuads)
       Projection turned(sweep);
       vtkUnstructuredGrid* output = turned.raw().run();
       EXPECT_LT(test::greatestDistance(plain.raw().run(), output), 1e-12 * test::sizeOf(output));
-      EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+      EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
       for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
       {
         ASSERT_EQ(test::cornersOf(output, c), test::cornersOf(sweep.sourceQuads, c));
@@ -381,7 +385,7 @@ TEST(SweepQuadProjector, AnyOrderAndOrientationOfTargetAndLinkingCells)
       vtkUnstructuredGrid* output = other.raw().run();
       EXPECT_LT(test::greatestDistance(plain.raw().run(), output), 1e-11 * test::sizeOf(output))
         << name;
-      EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+      EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
     }
   }
 }
@@ -456,7 +460,7 @@ TEST(SweepQuadProjector, SinglePrecisionFilesWork)
         test::singlePrecision(sweep.targetSurface), test::singlePrecision(sweep.linkingSides) });
     vtkUnstructuredGrid* output = rounded.raw().run();
     EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
-    EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+    EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
     // Rounding of coordinates, 1e-7, over edges of a fiftieth of the size.
     EXPECT_LT(test::greatestDistance(plain.raw().run(), output), 1e-4 * test::sizeOf(output))
       << name;
@@ -485,7 +489,7 @@ TEST(SweepQuadProjector, VerdictsAreAboutTheCoordinatesAsStored)
   projection.filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
   vtkUnstructuredGrid* output = projection.run();
   ASSERT_GT(output->GetNumberOfCells(), 0);
-  vtkDataArray* jacobian = output->GetCellData()->GetArray("ScaledJacobian");
+  vtkDataArray* jacobian = output->GetCellData()->GetArray(hexsweep::arrays::ScaledJacobian);
   for (vtkIdType q = 0; q < output->GetNumberOfCells(); ++q)
   {
     EXPECT_NEAR(
@@ -543,8 +547,8 @@ TEST(SweepQuadProjector, UnusedPointsKeepTheirNumber)
     {
       EXPECT_EQ(test::pointOf(output, i + 1), test::pointOf(expected, i));
     }
-    EXPECT_EQ(report(output, "SweepReportMinScaledJacobian"),
-      report(expected, "SweepReportMinScaledJacobian"));
+    EXPECT_EQ(report(output, hexsweep::reports::MinScaledJacobian),
+      report(expected, hexsweep::reports::MinScaledJacobian));
   }
 }
 
@@ -553,7 +557,7 @@ TEST(SweepQuadProjector, AffineLeastSquaresIsTheTraditionalMethod)
   Projection projection(test::readCase("taper10"));
   projection.filter->SetMethodToAffineLeastSquares();
   vtkUnstructuredGrid* output = projection.run();
-  EXPECT_EQ(test::textReport(output, "SweepReportMethod"), "AffineLeastSquares");
+  EXPECT_EQ(test::textReport(output, hexsweep::reports::Method), "AffineLeastSquares");
   for (const int port : { 1, 2 })
   {
     EXPECT_EQ(
@@ -567,7 +571,7 @@ TEST(SweepQuadProjector, AffineLeastSquaresIsTheTraditionalMethod)
     EXPECT_EQ(test::pointOf(output, side.first), ends.at(test::pointOf(source, side.first)));
   }
   // A taper is an affine map: the traditional method is right here.
-  EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+  EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
 }
 
 TEST(SweepQuadProjector, PaperHarmonicNamesTheNitscheBoundWhereItFolds)
@@ -576,9 +580,9 @@ TEST(SweepQuadProjector, PaperHarmonicNamesTheNitscheBoundWhereItFolds)
   Projection growing(test::readCase("fig7_growing_hole"));
   growing.raw().filter->SetMethodToPaperHarmonic();
   vtkUnstructuredGrid* output = growing.run();
-  EXPECT_EQ(test::textReport(output, "SweepReportMethod"), "PaperHarmonic");
-  EXPECT_LT(report(output, "SweepReportNitscheRatio"), 1.0);
-  const auto flips = static_cast<int>(report(output, "SweepReportFlipsAfter"));
+  EXPECT_EQ(test::textReport(output, hexsweep::reports::Method), "PaperHarmonic");
+  EXPECT_LT(report(output, hexsweep::reports::NitscheRatio), 1.0);
+  const auto flips = static_cast<int>(report(output, hexsweep::reports::FlipsAfter));
   EXPECT_GT(flips, 0);
   ASSERT_GE(growing.events.warnings.size(), 2u);
   EXPECT_NE(growing.events.warnings[0].find(std::to_string(flips) + " of "), std::string::npos);
@@ -590,9 +594,9 @@ TEST(SweepQuadProjector, PaperHarmonicNamesTheNitscheBoundWhereItFolds)
   Projection taper(test::readCase("taper10"));
   taper.raw().filter->SetMethodToPaperHarmonic();
   output = taper.run();
-  EXPECT_GT(report(output, "SweepReportNitscheRatio"), 1.0);
-  EXPECT_EQ(report(output, "SweepReportFlipsAfter"), 0);
-  EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+  EXPECT_GT(report(output, hexsweep::reports::NitscheRatio), 1.0);
+  EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
+  EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
   EXPECT_TRUE(taper.events.warnings.empty());
 }
 
@@ -604,8 +608,8 @@ TEST(SweepQuadProjector, PaperHarmonicWithAnyNumberOfHoles)
     Projection projection(sweep);
     projection.filter->SetMethodToPaperHarmonic();
     vtkUnstructuredGrid* output = projection.run();
-    EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0) << holes;
-    EXPECT_EQ(output->GetFieldData()->HasArray("SweepReportNitscheRatio"), holes == 1);
+    EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0) << holes;
+    EXPECT_EQ(output->GetFieldData()->HasArray(hexsweep::reports::NitscheRatio), holes == 1);
     const auto ends = columnEnds(sweep);
     for (const auto& side : test::boundaryOf(sweep.sourceQuads))
     {
@@ -614,7 +618,8 @@ TEST(SweepQuadProjector, PaperHarmonicWithAnyNumberOfHoles)
     }
     // Unlike the common domain, the target's map does not depend on the source's shape.
     auto* target = vtkUnstructuredGrid::SafeDownCast(projection.filter->GetOutputDataObject(2));
-    EXPECT_EQ(test::textReport(target, "DiskMapDomain"), holes == 0 ? "Disk" : "Circles");
+    EXPECT_EQ(
+      test::textReport(target, hexsweep::arrays::DiskMapDomain), holes == 0 ? "Disk" : "Circles");
   }
 }
 
@@ -636,7 +641,7 @@ TEST(SweepQuadProjector, AFlipPlantedInAGivenMapIsFoundAndNamed)
       Grid tampered = Grid::New();
       tampered->DeepCopy(onSource ? sweep.sourceSurface : sweep.targetSurface);
       (onSource ? sweep.sourceSurface : sweep.targetSurface) = tampered;
-      vtkDataArray* disk = tampered->GetPointData()->GetArray("DiskCoordinates");
+      vtkDataArray* disk = tampered->GetPointData()->GetArray(hexsweep::arrays::DiskCoordinates);
       // One inner node is drawn across the far side of one of its triangles.
       const auto boundary = test::boundaryOf(tampered);
       vtkIdType first = -1;
@@ -692,7 +697,7 @@ TEST(SweepQuadProjector, AFlipPlantedInAGivenMapIsFoundAndNamed)
       Projection projection(sweep);
       projection.filter->SetDiskMapsToFromInput();
       vtkUnstructuredGrid* output = projection.run();
-      EXPECT_EQ(report(output, "SweepReportFlipsAfter"), static_cast<double>(flips));
+      EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), static_cast<double>(flips));
       ASSERT_FALSE(projection.events.warnings.empty());
       const std::string& warning = projection.events.warnings[0];
       EXPECT_NE(
@@ -713,7 +718,7 @@ TEST(SweepQuadProjector, WithoutLinkingSidesTheChosenStartsAreReported)
   sweep.linkingSides = nullptr;
   Projection projection(sweep);
   vtkUnstructuredGrid* output = projection.run();
-  vtkDataArray* starts = output->GetFieldData()->GetArray("SweepReportLoopStarts");
+  vtkDataArray* starts = output->GetFieldData()->GetArray(hexsweep::reports::LoopStarts);
   ASSERT_NE(starts, nullptr);
   EXPECT_EQ(starts->GetNumberOfTuples(), 4);
 }
@@ -759,7 +764,7 @@ TEST(SweepQuadProjector, WithoutLinkingSidesASquareBecomesARectangle)
           rectangleQuads(1, depth, 11, 2.0, degrees, scale), nullptr });
         vtkUnstructuredGrid* output = projection.run();
         const Grid expected = rectangleQuads(1, depth, 8, 2.0, degrees, scale);
-        EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+        EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
         for (const vtkIdType corner : { 0, 8, 72, 80 })
         {
           EXPECT_LT(test::distance(test::pointOf(output, corner), test::pointOf(expected, corner)),
@@ -777,7 +782,7 @@ TEST(SweepQuadProjector, AStartThatIsAGuessRaisesAWarning)
   Projection projection({ rectangleQuads(1, 1, 8, 0.0, 0.0, 1.0), nullptr,
     rectangleQuads(1, 1, 8, 2.0, 45.0, 1.0), nullptr });
   vtkUnstructuredGrid* output = projection.run();
-  EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0);
+  EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
   ASSERT_EQ(projection.events.warnings.size(), 1u);
   const std::string& warning = projection.events.warnings[0];
   EXPECT_NE(warning.find("loop 0 (the outer one, around (0, 0, 0))"), std::string::npos) << warning;
@@ -794,7 +799,7 @@ TEST(SweepQuadProjector, WithoutLinkingSidesTheCasesComeOutAsWithThem)
     sweep.linkingSides = nullptr;
     Projection projection(sweep);
     vtkUnstructuredGrid* output = projection.run();
-    EXPECT_EQ(report(output, "SweepReportInvertedQuads"), 0) << name;
+    EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0) << name;
     double farthest = 0.0;
     for (const auto& side : test::boundaryOf(sweep.sourceQuads))
     {
@@ -1047,7 +1052,7 @@ TEST(SweepQuadProjector, FromInputWithBrokenCoordinates)
 {
   SweepGrids sweep = withMaps(test::readCase("ubend"));
   sweep.targetSurface->GetPointData()
-    ->GetArray("DiskCoordinates")
+    ->GetArray(hexsweep::arrays::DiskCoordinates)
     ->SetComponent(3, 0, std::numeric_limits<double>::quiet_NaN());
   Projection projection(sweep);
   projection.filter->SetDiskMapsToFromInput();

@@ -2,6 +2,8 @@
 // Side sets and node sets of a swept mesh.
 #include "SolidGrids.h"
 
+#include "HexSweepArrays.h"
+
 #include <vtkCompositeDataSet.h>
 #include <vtkHexahedron.h>
 #include <vtkIdTypeArray.h>
@@ -123,7 +125,8 @@ TEST(SweepSets, NodesAreThoseOfTheHexahedra)
 TEST(SweepSets, IdsThatDoNotFitStayInTheNames)
 {
   SweptWing wing;
-  auto* ids = vtkIdTypeArray::SafeDownCast(wing.boundary->GetCellData()->GetArray("BoundaryId"));
+  auto* ids = vtkIdTypeArray::SafeDownCast(
+    wing.boundary->GetCellData()->GetArray(hexsweep::arrays::BoundaryId));
   for (vtkIdType c = 0; c < ids->GetNumberOfValues(); ++c)
   {
     ids->SetValue(c, ids->GetValue(c) == 3 ? 5000000000 : -1);
@@ -168,7 +171,7 @@ TEST(SweepSets, WrongInputsAreNamed)
     Sets sets(isSmaller ? wing.hexes : other.hexes, isSmaller ? other.boundary : wing.boundary);
     expectOneError(sets.filter, "is not side");
   }
-  wing.boundary->GetCellData()->RemoveArray("HexSide");
+  wing.boundary->GetCellData()->RemoveArray(hexsweep::arrays::HexSide);
   Sets sets(wing.hexes, wing.boundary);
   expectOneError(sets.filter, "no array \"HexSide\"");
 }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The names of all arrays that the filters read and write: the reference of what they mean.
+ *
+ * Ids are vtkIdType, measures are double, texts are vtkStringArray. n: how many tuples.
+ */
+#ifndef HexSweepArrays_h
+#define HexSweepArrays_h
+
+namespace hexsweep
+{
+/// Arrays of points, cells and (the last ones) fields.
+namespace arrays
+{
+// What solids bring.
+
+/// Cells: face of the solid, any whole number type. The first choice where no array is named.
+constexpr const char* FaceId = "FaceId";
+/// Cells: the same as gmsh writes it, the second choice; of volume cells their volume.
+constexpr const char* CellEntityIds = "CellEntityIds";
+/// Cells, in and out: the volume.
+constexpr const char* VolumeId = "VolumeId";
+/// Field, n = 1, text: the volume's name in an Exodus file.
+constexpr const char* VolumeName = "VolumeName";
+
+// Hexahedra and linking sides.
+
+/// Points: point of the source quads that the column begins at.
+constexpr const char* SourcePointIds = "SourcePointIds";
+/// Cells of hexahedra: source quad that the column begins at.
+constexpr const char* SourceCellIds = "SourceCellIds";
+/// Points: 0 (source) ... L (target); cells: 0 ... L - 1.
+constexpr const char* SweepLayer = "SweepLayer";
+/// Cells of linking sides: loop of the source quads.
+constexpr const char* LoopId = "LoopId";
+
+// The boundary of hexahedra.
+
+/// Points: point of the hexahedra.
+constexpr const char* HexPointIds = "HexPointIds";
+/// Cells: face of the solid; of linking sides, too.
+constexpr const char* BoundaryId = "BoundaryId";
+/// Cells, unsigned char: 0 source, 1 target, 2 side.
+constexpr const char* BoundaryPart = "BoundaryPart";
+/// Cells: the hexahedron behind the quad.
+constexpr const char* HexId = "HexId";
+/// Cells: which of its sides, 1 to 6 in the order of Exodus II.
+constexpr const char* HexSide = "HexSide";
+
+// Quality.
+
+/// Cells, in [-1, 1]: least scaled Jacobian of the corners.
+constexpr const char* ScaledJacobian = "ScaledJacobian";
+/// Cells of hexahedra: proven lower bound of the Jacobian; not a number where nothing is proven.
+constexpr const char* JacobianLowerBound = "JacobianLowerBound";
+/// Cells of hexahedra, unsigned char: see vtkHexValidity.
+constexpr const char* Validity = "Validity";
+
+// Disk maps.
+
+/// Points, 3 components, z = 0: place in the unit disk.
+constexpr const char* DiskCoordinates = "DiskCoordinates";
+/// Points, 3 components: place on the cap, where the points themselves are in the disk.
+constexpr const char* SurfacePoints = "SurfacePoints";
+/// Points: point of the input, -1 for those that were added.
+constexpr const char* OriginalPointIds = "OriginalPointIds";
+/// Cells: cell of the input.
+constexpr const char* OriginalCellIds = "OriginalCellIds";
+/// Field, n = 1, text: Disk, Annulus or Circles.
+constexpr const char* DiskMapDomain = "DiskMapDomain";
+/// Field, 3 components, one tuple a hole: centre x, y, radius.
+constexpr const char* HoleCircles = "HoleCircles";
+}
+
+/// Field arrays that report what a filter did; one value each where nothing else is said.
+namespace reports
+{
+/// What they all begin with.
+constexpr const char* Prefix = "SweepReport";
+
+// Every filter.
+
+/// Text: what really ran, see the filter.
+constexpr const char* Method = "SweepReportMethod";
+/// Id: vertex and line cells of the (first) input that were left aside.
+constexpr const char* IgnoredCells = "SweepReportIgnoredCells";
+/// Texts, one a stage of the work.
+constexpr const char* Stages = "SweepReportStages";
+/// Measures, one a stage: seconds.
+constexpr const char* Seconds = "SweepReportSeconds";
+
+// Disk maps (vtkHarmonicDiskMap, and outputs 1 and 2 of vtkSweepQuadProjector).
+
+/// Id: boundary loops.
+constexpr const char* Loops = "SweepReportLoops";
+/// Ids: triangles flipped with the wanted weights, and in the result (the projector's: both caps).
+constexpr const char* FlipsBefore = "SweepReportFlipsBefore";
+constexpr const char* FlipsAfter = "SweepReportFlipsAfter";
+/// Ids: what ImproveTriangulation did.
+constexpr const char* EdgeFlips = "SweepReportEdgeFlips";
+constexpr const char* AddedPoints = "SweepReportAddedPoints";
+/// Measure: no less than the area of the image.
+constexpr const char* DirichletEnergy = "SweepReportDirichletEnergy";
+/// Measures, degrees: at the corners of triangles.
+constexpr const char* WorstAngleDistortion = "SweepReportWorstAngleDistortion";
+constexpr const char* MeanAngleDistortion = "SweepReportMeanAngleDistortion";
+/// Id: rounds of Koebe's iteration.
+constexpr const char* KoebeRounds = "SweepReportKoebeRounds";
+/// Id: 1 where it came to its tolerance, else 0.
+constexpr const char* KoebeConverged = "SweepReportKoebeConverged";
+/// Measures, one a round from the second on.
+constexpr const char* KoebeChanges = "SweepReportKoebeChanges";
+/// Measures, one a loop: how far its image was from a circle, over the radius.
+constexpr const char* Circularity = "SweepReportCircularity";
+/// Measures, one a loop: where it begins on the partner's loop, as a fraction of that one's length.
+constexpr const char* LoopStarts = "SweepReportLoopStarts";
+
+// Quads on the target cap (vtkSweepQuadProjector).
+
+/// Ids: quads with a corner <= 0, in the result and as projected.
+constexpr const char* InvertedQuads = "SweepReportInvertedQuads";
+constexpr const char* InvertedBefore = "SweepReportInvertedBefore";
+/// Id: those of them that no place of the inner nodes can mend.
+constexpr const char* FixedInvertedQuads = "SweepReportFixedInvertedQuads";
+/// Id: descents of untangling and polishing.
+constexpr const char* Rounds = "SweepReportRounds";
+/// Measure: of interior nodes from the source surface.
+constexpr const char* MaximumSourceDistance = "SweepReportMaximumSourceDistance";
+/// Measure: of the last ring from the boundary of the target surface.
+constexpr const char* MaximumBoundaryDistance = "SweepReportMaximumBoundaryDistance";
+/// Id: nodes that lay in no triangle of the target's disk map.
+constexpr const char* Outside = "SweepReportOutside";
+/// Measure: at 1 and below the map of PAPER_HARMONIC folds.
+constexpr const char* NitscheRatio = "SweepReportNitscheRatio";
+
+// Linking sides (vtkLinkingSideMesher, vtkOneToOneSweep).
+
+/// Id.
+constexpr const char* Layers = "SweepReportLayers";
+/// Ids: edges of the solid that became columns, and that did not.
+constexpr const char* KeptEdges = "SweepReportKeptEdges";
+constexpr const char* LostEdges = "SweepReportLostEdges";
+/// Measure.
+constexpr const char* MeanColumnLength = "SweepReportMeanColumnLength";
+
+// Quality of the cells (quads of the projector, hexahedra of the others).
+
+/// Measures, in [-1, 1].
+constexpr const char* MinScaledJacobian = "SweepReportMinScaledJacobian";
+constexpr const char* MeanScaledJacobian = "SweepReportMeanScaledJacobian";
+/// Measure: what no place of the inner nodes can better.
+constexpr const char* FloorScaledJacobian = "SweepReportFloorScaledJacobian";
+/// Ids: hexahedra, and how many of them are...
+constexpr const char* Hexes = "SweepReportHexes";
+constexpr const char* Inverted = "SweepReportInverted";
+constexpr const char* InvertedInside = "SweepReportInvertedInside";
+constexpr const char* Degenerate = "SweepReportDegenerate";
+constexpr const char* Undecided = "SweepReportUndecided";
+constexpr const char* NotCertified = "SweepReportNotCertified";
+/// Measure: the least JacobianLowerBound.
+constexpr const char* MinJacobianLowerBound = "SweepReportMinJacobianLowerBound";
+
+// The interior (vtkCageHexInterior, vtkOneToOneSweep).
+
+/// Texts, one a step of the cascade.
+constexpr const char* Steps = "SweepReportSteps";
+/// One a step: hexahedra that are not certified after it, and how many fewer than before it.
+constexpr const char* StepNotCertified = "SweepReportStepNotCertified";
+constexpr const char* StepMended = "SweepReportStepMended";
+/// Id: hexahedra that caps and linking sides alone make bad.
+constexpr const char* CornerConflicts = "SweepReportCornerConflicts";
+
+// Solids (vtkOneToOneSweep).
+
+/// Text: SourceQuads, Solid or made.
+constexpr const char* SourceQuads = "SweepReportSourceQuads";
+/// Ids, one a face.
+constexpr const char* SourceFaceIds = "SweepReportSourceFaceIds";
+constexpr const char* TargetFaceIds = "SweepReportTargetFaceIds";
+/// Id: points that were given up for another one.
+constexpr const char* MergedPoints = "SweepReportMergedPoints";
+}
+}
+
+#endif

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Builds and runs the README's C++ program against an installed HexSweep.
+"""Builds and runs the README's C++ program against an installed HexSweep; Examples/Chain holds it too.
 
 Usage: TestReadmeProgram.py <cmake> <generator> <install prefix> <scratch folder>
 """
@@ -12,12 +12,16 @@ import sys
 from readme_code import code_block
 
 cmake, generator, prefix, scratch = sys.argv[1:]
+source_dir = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 shutil.rmtree(scratch, ignore_errors=True)
 os.makedirs(scratch)
 for name, language in (("sweep.cxx", "cpp"), ("CMakeLists.txt", "cmake")):
     with open(os.path.join(scratch, name), "w", encoding="utf-8") as file:
         file.write(code_block(language))
-source_dir = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+    with open(os.path.join(source_dir, "Examples", "Chain", name), encoding="utf-8") as file:
+        licence, program = file.read().split("\n", 1)
+    if "SPDX" not in licence or program != code_block(language):
+        sys.exit(f"Examples/Chain/{name} is not the README's program below its licence line")
 os.symlink(os.path.join(source_dir, "Data"), os.path.join(scratch, "Data"))
 
 

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs the Debian 12 packages that HexSweep needs to be built, run and tested.
+# Utilities/install-dependencies.sh [package...]
+#
+# Installs the Debian 12 packages that HexSweep needs to be built, run and tested, and those that are named.
 # Asks dpkg first: when all is there it changes nothing and needs neither network nor root.
 
 set -euo pipefail
@@ -19,6 +21,7 @@ packages=(
   libeigen3-dev libopenmesh-dev libgtest-dev
   # a display without a screen, and mpirun for the parallel test
   xvfb xauth openmpi-bin libopenmpi-dev
+  "$@"
 )
 
 say() { printf '== %s\n' "$*"; }

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 PAGES = ["README.md", "CONTRIBUTING.md", "Documentation/Architecture.md", "Examples/README.md"]
-SOURCES = ["Filters", "Plugin", "Python", "Testing", "Utilities", "CMake", "Examples", "CMakeLists.txt",
+SOURCES = ["Filters", "Plugin", "Python", "Testing", "Utilities", "CMake", "Examples", "Documentation", "CMakeLists.txt",
            "CMakePresets.json", "vtk.module"]
 SUFFIXES = {".h", ".cxx", ".py", ".in", ".xml", ".txt", ".cmake", ".json", ".sh", ".module", ".geo"}
 FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
@@ -24,7 +24,7 @@ IDENTIFIER = re.compile(r"(?:[A-Za-z_]\w*::)*([A-Za-z_]\w+)(\(\))?")
 # What the tree makes or takes but does not hold.
 MADE = ("build/", "paraview-")
 # VTK's, and names that stand for others.
-FOREIGN = {"VTK_SMP_BACKEND_IN_USE", "Unit.h", "Unit.cxx"}
+FOREIGN = {"doxygen", "VTK_SMP_BACKEND_IN_USE", "Unit.h", "Unit.cxx"}
 
 
 def names_in(page, text, root, words):
@@ -67,10 +67,8 @@ def is_known(name, page, root, words):
             for place in places
         )
     if FILE.fullmatch(name):
-        return any((root / place / name).exists() for place in ("", "Filters", "Plugin")) or bool(
-            next((root / "Filters").rglob(name), None) or next((root / "Testing").rglob(name), None)
-            or next((root / "Data").rglob(name), None)
-        )
+        folders = ("Filters", "Plugin", "Testing", "Data", "Examples")
+        return (root / name).exists() or any(any((root / folder).rglob(name)) for folder in folders)
     match = IDENTIFIER.fullmatch(name)
     return not match or match.group(1) in words
 

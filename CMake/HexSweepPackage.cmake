@@ -5,6 +5,10 @@ include(CMakePackageConfigHelpers)
 set(hexsweep_config "${CMAKE_BINARY_DIR}/${hexsweep_cmake_destination}/HexSweepConfig.cmake")
 set(hexsweep_config_version
   "${CMAKE_BINARY_DIR}/${hexsweep_cmake_destination}/HexSweepConfigVersion.cmake")
+set(HEXSWEEP_HAS_FILTERS ON)
+if (HEXSWEEP_CORE_ONLY)
+  set(HEXSWEEP_HAS_FILTERS OFF)
+endif ()
 configure_package_config_file(CMake/HexSweepConfig.cmake.in "${hexsweep_config}"
   INSTALL_DESTINATION "${hexsweep_cmake_destination}"
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)

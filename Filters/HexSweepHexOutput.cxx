@@ -3,11 +3,11 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Common/StoppablePieces.h"
+#include "Core/Interior/InteriorStarts.h"
 #include "Core/Interior/SweptHexes.h"
 #include "HexSweepArrays.h"
 #include "HexSweepGrid.h"
 #include "HexSweepHexText.h"
-#include "HexSweepMethods.h"
 #include "HexSweepQualityArrays.h"
 #include "HexSweepRun.h"
 #include "HexSweepWriter.h"
@@ -84,7 +84,8 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
     options.precision = Precision::Single;
   }
   const SweepInterior interior =
-    sweepInterior(cage, interiorStarts(settings.method), options, progressPart(progress, 0.0, 0.9));
+    sweepInterior(cage, interiorStarts(static_cast<InteriorKind>(settings.method), smpFor()),
+      options, progressPart(progress, 0.0, 0.9));
   stages.finish(interior.steps);
   const Index layers = cage.boundary.numberOfLayers();
   const vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,

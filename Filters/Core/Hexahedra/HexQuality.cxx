@@ -2,7 +2,7 @@
 #include "Core/Hexahedra/HexQuality.h"
 
 #include "Core/Common/Errors.h"
-
+#include "Core/Common/IdRange.h"
 #include "Core/Hexahedra/BezierHex.h"
 #include "Core/Hexahedra/BezierMinimum.h"
 #include "Core/Hexahedra/HexCorner.h"
@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 
 namespace hexsweep
 {
@@ -211,6 +212,7 @@ void judge(Index begin, Index end, const CornersOf& cornersOf, bool certify, Hex
 std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes, bool certify,
   const ParallelFor& parallelFor, const Progress& progress)
 {
+  checkIds(hexes, points.rows(), "hexahedron");
   std::vector<HexQuality> qualities;
   qualities.reserve(static_cast<std::size_t>(hexes.rows()));
   const auto cornersOf = [&](Index h) {
@@ -235,6 +237,11 @@ std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& he
 
 std::vector<HexQuality> hexQualities(const PointsRef& corners, bool certify)
 {
+  if (corners.rows() % 8 != 0)
+  {
+    throw InvalidInput("there are " + std::to_string(corners.rows()) +
+      " corners, and hexahedra have 8 each. Give all corners of each hexahedron.");
+  }
   const Index hexes = corners.rows() / 8;
   std::vector<HexQuality> qualities(static_cast<std::size_t>(hexes));
   const auto cornersOf = [&corners](Index h) {

@@ -50,12 +50,13 @@ HexQuality hexQuality(const HexCornersRef& corners);
  *
  * @param points n x 3; @param hexes m x 8 ids in [0, n), VTK_HEXAHEDRON order.
  * @param certify with the verdict and the bound of certifyHex(); otherwise as hexQuality().
- * @throw Aborted when progress returns false.
+ * @throw InvalidInput for an id that is no point's; Aborted when progress returns false.
  */
 std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes,
   bool certify = true, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
 /// The same for hexahedra that share no points. @param corners 8 m x 3, hexahedron by hexahedron.
+/// @throw InvalidInput when their number is no multiple of 8.
 std::vector<HexQuality> hexQualities(const PointsRef& corners, bool certify = true);
 
 /// Counts and extremes over many hexahedra; those that are NotJudged do not count.

@@ -2,6 +2,7 @@
 #include "Core/Interior/SweepInterior.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Common/IdRange.h"
 #include "Core/Hexahedra/HexPolishing.h"
 #include "Core/Interior/SweptBoxes.h"
 #include "Core/Interior/SweptHexes.h"
@@ -60,6 +61,38 @@ std::vector<bool> fixedNodes(const SweepCage& cage)
     }
   }
   return fixed;
+}
+
+/// @throw InvalidInput where the parts of a cage do not belong together.
+void checkCage(const SweepCage& cage)
+{
+  const Index n = cage.source.rows();
+  const SweepBoundary& boundary = cage.boundary;
+  const Index layers = boundary.numberOfLayers();
+  const Index nodes = static_cast<Index>(boundary.nodes.size());
+  if (cage.target.rows() != n)
+  {
+    throw InvalidInput("the cage has " + std::to_string(n) + " source points and " +
+      std::to_string(cage.target.rows()) + " target points. Give the same points on both caps.");
+  }
+  checkIds(cage.quads, n, "quad");
+  if (layers < 1 || static_cast<Index>(boundary.fractions.size()) != layers + 1)
+  {
+    throw InvalidInput("the cage has " + std::to_string(boundary.rings.size()) + " rings and " +
+      std::to_string(boundary.fractions.size()) +
+      " fractions. Give one of each for every layer of nodes, the first on the source cap and the "
+      "last on the target cap.");
+  }
+  for (const Points& ring : boundary.rings)
+  {
+    if (ring.rows() != nodes)
+    {
+      throw InvalidInput("a ring of the cage has " + std::to_string(ring.rows()) +
+        " points, and there are " + std::to_string(nodes) +
+        " loop nodes. Give the place of each loop node on each layer.");
+    }
+  }
+  checkIds(Eigen::Map<const Faces>(boundary.nodes.data(), nodes, 1), n, "loop node");
 }
 
 class Cascade
@@ -227,6 +260,11 @@ constexpr int Repetitions = 2;
 SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorStart>& starts,
   const InteriorOptions& options, const Progress& progress)
 {
+  if (starts.empty())
+  {
+    throw InvalidInput("there is no method for the interior. Give at least one start.");
+  }
+  checkCage(cage);
   Cascade cascade(cage, options);
   const double share =
     (1.0 - PolishingShare) / (options.ensureValid ? static_cast<double>(starts.size()) : 1.0);

@@ -84,6 +84,7 @@ struct SweepInterior
  * cascade going.
  *
  * @param starts at least one. Without ensureValid the first is returned as it is, and polished.
+ * @throw InvalidInput without a start, or where the parts of the cage do not belong together.
  * @throw what the first start throws; later ones that fail are passed over.
  */
 SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorStart>& starts,

@@ -2,6 +2,7 @@
 #include "Core/Interior/SweptHexes.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Common/IdRange.h"
 
 #include <Eigen/Geometry>
 
@@ -40,11 +41,23 @@ double sumOfCornerJacobians(const QuadsRef& quads, const PointsRef& points, Inde
   }
   return sum;
 }
+
+void checkLayers(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers)
+{
+  if (numberOfLayers < 1 || points.rows() % (numberOfLayers + 1) != 0)
+  {
+    throw InvalidInput(std::to_string(points.rows()) + " points do not make " +
+      std::to_string(numberOfLayers) + " layers of hexahedra. Give the same number of points on " +
+      "each layer, from the source cap to the target cap, and at least one layer.");
+  }
+  checkIds(quads, points.rows() / (numberOfLayers + 1), "quad");
+}
 }
 
 bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers,
   const ParallelFor& parallelFor)
 {
+  checkLayers(quads, points, numberOfLayers);
   const Index n = points.rows() / (numberOfLayers + 1);
   constexpr Index layersAtMost = 8;
   const Index looked = std::min(numberOfLayers, layersAtMost);
@@ -58,9 +71,9 @@ bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index number
 
 Hexes sweptHexes(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers)
 {
+  const bool upward = sourceIsBottom(quads, points, numberOfLayers);
   const Index n = points.rows() / (numberOfLayers + 1);
   const Index m = quads.rows();
-  const bool upward = sourceIsBottom(quads, points, numberOfLayers);
   Hexes hexes(numberOfLayers * m, 8);
   for (Index k = 0; k < numberOfLayers; ++k)
   {

@@ -18,6 +18,8 @@ namespace hexsweep
  *
  * @param quads  m x 4 ids in [0, n), consistently oriented.
  * @param points (L + 1) n x 3, row k n + i is point i on layer k.
+ * @param numberOfLayers L >= 1.
+ * @throw InvalidInput for an id out of this range, or points that do not make L + 1 layers.
  */
 bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers,
   const ParallelFor& parallelFor = {});
@@ -33,6 +35,7 @@ bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index number
  * @param points (L + 1) n x 3, row k n + i is point i on layer k.
  * @param numberOfLayers L >= 1.
  * @return L m x 8.
+ * @throw InvalidInput as sourceIsBottom().
  */
 Hexes sweptHexes(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers);
 

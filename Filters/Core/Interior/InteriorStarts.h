@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The methods for the interior by name, as starts of sweepInterior().
+ */
+#ifndef hexsweep_InteriorStarts_h
+#define hexsweep_InteriorStarts_h
+
+#include "Core/Common/ParallelFor.h"
+#include "Core/Interior/SweepInterior.h"
+
+#include <vector>
+
+namespace hexsweep
+{
+/// The numbers are those of the filters' property Method.
+enum class InteriorKind : int
+{
+  Automatic = 0, ///< Blend, Blend with fading bulges, LayerMarch: from cheap to strong
+  Blend = 1,
+  HarmonicCoordinates = 2,
+  MeanValueCoordinates = 3,
+  GreenCoordinates = 4,
+  LayerMarch = 5,
+  AffineBoundaryError = 6
+};
+
+/// @throw InvalidInput for a number that is no method's.
+std::vector<InteriorStart> interiorStarts(InteriorKind kind, const ParallelFor& parallelFor = {});
+}
+
+#endif

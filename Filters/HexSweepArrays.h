@@ -180,6 +180,11 @@ constexpr const char* SourceFaceIds = "SweepReportSourceFaceIds";
 constexpr const char* TargetFaceIds = "SweepReportTargetFaceIds";
 /// Id: points that were given up for another one.
 constexpr const char* MergedPoints = "SweepReportMergedPoints";
+
+// Faces of solids (vtkSolidFaces).
+
+/// Id: 1 where faces were found by angle, else 0.
+constexpr const char* FacesByAngle = "SweepReportFacesByAngle";
 }
 }
 

@@ -30,8 +30,9 @@ namespace hexsweep
 {
 namespace
 {
-/// vtkExodusIIWriter makes a table of names as long as twice the greatest id.
-constexpr vtkIdType GreatestSetId = 1000000;
+/// vtkExodusIIWriter makes a table of names as long as twice the greatest id, which is that of a
+/// node set, up to ten times as much.
+constexpr vtkIdType GreatestSetId = 100000;
 /// Sides of a hexahedron in the order of Exodus II, from 1 on, in that of vtkHexahedron's faces.
 constexpr int VtkFaces[7] = { -1, 2, 1, 3, 0, 4, 5 };
 
@@ -207,47 +208,74 @@ struct UsedPoints
     }
   }
 };
+
+using QuadsById = std::map<vtkIdType, std::vector<vtkIdType>>;
+
+/// Gives each face a side set, which has its id where the ids fit, and a node set with that id and
+/// the least power of ten above all of them: 103 for face 3 where there are less than a hundred.
+void nameFaceSets(QuadsById& byFace, std::vector<BoundarySet>& sets)
+{
+  const vtkIdType least = byFace.begin()->first;
+  const vtkIdType greatest = byFace.rbegin()->first;
+  const bool idsFit = least >= 1 && greatest <= GreatestSetId;
+  // The sets of the caps and sides, which have no id in their names, follow on from the greatest.
+  constexpr vtkIdType Roles = 3;
+  const vtkIdType last = (idsFit ? greatest : static_cast<vtkIdType>(byFace.size())) + Roles;
+  vtkIdType forNodes = 10;
+  while (forNodes <= last)
+  {
+    forNodes *= 10;
+  }
+  for (auto& [face, quads] : byFace)
+  {
+    // vtkExodusIIWriter takes the id of a set from its name, without a space before it.
+    const vtkIdType id = idsFit ? face : static_cast<vtkIdType>(sets.size()) + 1;
+    const std::string start = idsFit ? "Face" : "Face " + std::to_string(face);
+    sets.push_back({ start + " ID:" + std::to_string(id),
+      start + " nodes ID:" + std::to_string(forNodes + id), std::move(quads) });
+  }
+}
 }
 
-std::vector<BoundarySet> boundarySets(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
+std::vector<BoundarySet> boundarySets(
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary, bool roleSets)
 {
   checkBoundary(hexes, boundary);
   vtkDataArray* faces = boundary->GetCellData()->GetArray(arrays::BoundaryId);
   vtkDataArray* parts = boundary->GetCellData()->GetArray(arrays::BoundaryPart);
-  std::map<vtkIdType, std::vector<vtkIdType>> byFace;
-  std::map<vtkIdType, std::vector<vtkIdType>> byPart;
+  QuadsById byFace;
+  QuadsById byPart;
   for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
   {
     byFace[idAt(faces, q)].push_back(q);
-    byPart[idAt(parts, q)].push_back(q);
+    if (roleSets)
+    {
+      byPart[idAt(parts, q)].push_back(q);
+    }
   }
-  const bool idsFit = byFace.begin()->first >= 1 && byFace.rbegin()->first <= GreatestSetId;
   std::vector<BoundarySet> sets;
-  for (auto& [face, quads] : byFace)
-  {
-    // vtkExodusIIWriter takes the id of a set from its name, without a space before it; sets that
-    // have none there follow on.
-    const std::string number = std::to_string(face);
-    const std::string name =
-      idsFit ? "Face ID:" + number : "Face " + number + " ID:" + std::to_string(sets.size() + 1);
-    sets.push_back({ name, std::move(quads) });
-  }
+  nameFaceSets(byFace, sets);
   for (auto& [part, quads] : byPart)
   {
-    sets.push_back({ part == 0 ? "Source" : part == 1 ? "Target" : "Sides", std::move(quads) });
+    const std::string name = part == 0 ? "Source" : part == 1 ? "Target" : "Sides";
+    sets.push_back({ name, name + " nodes", std::move(quads) });
   }
   return sets;
 }
 
 std::string volumeName(vtkUnstructuredGrid* hexes)
 {
+  vtkDataArray* volumes = hexes->GetCellData()->GetArray(arrays::VolumeId);
+  if (volumes && volumes->GetRange()[0] != volumes->GetRange()[1])
+  {
+    return "Volumes";
+  }
   auto* names =
     vtkStringArray::SafeDownCast(hexes->GetFieldData()->GetAbstractArray(arrays::VolumeName));
   if (names && names->GetNumberOfValues() > 0 && !names->GetValue(0).empty())
   {
     return names->GetValue(0);
   }
-  vtkDataArray* volumes = hexes->GetCellData()->GetArray(arrays::VolumeId);
   return "Volume " + std::to_string(volumes ? idAt(volumes, 0) : vtkIdType{ 1 });
 }
 

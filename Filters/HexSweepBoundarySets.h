@@ -21,7 +21,8 @@ namespace hexsweep
 /// Some quads of the boundary.
 struct BoundarySet
 {
-  std::string name;
+  std::string name;      ///< of the side set
+  std::string nodesName; ///< of the node set
   std::vector<vtkIdType> quads;
 };
 
@@ -29,12 +30,15 @@ struct BoundarySet
  * One set a face in the order of their ids, then source, target and sides (those there are).
  *
  * @param hexes, boundary nullptr counts as missing.
+ * @param roleSets        whether source, target and sides are sets as well.
  * @throw InvalidInput when one of the inputs is missing or empty, has other cells, lacks an array,
  *        or when the boundary is that of another mesh.
  */
-std::vector<BoundarySet> boundarySets(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary);
+std::vector<BoundarySet> boundarySets(
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary, bool roleSets);
 
-/// Field data array `VolumeName`, else "Volume" with the first `VolumeId` (1: there is none).
+/// Field data array `VolumeName`, else "Volume" with the `VolumeId` (1: there is none); "Volumes"
+/// where there are several, whose blocks have the writer's one name for a grid.
 std::string volumeName(vtkUnstructuredGrid* hexes);
 
 /**

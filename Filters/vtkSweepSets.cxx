@@ -50,7 +50,8 @@ int vtkSweepSets::RequestData(
     }
     auto* hexes = vtkUnstructuredGrid::SafeDownCast(hexsweep::inputDataSet(inputs, 0));
     auto* boundary = vtkUnstructuredGrid::SafeDownCast(hexsweep::inputDataSet(inputs, 1));
-    const std::vector<hexsweep::BoundarySet> sets = hexsweep::boundarySets(hexes, boundary);
+    const std::vector<hexsweep::BoundarySet> sets =
+      hexsweep::boundarySets(hexes, boundary, this->RoleSets);
 
     vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
     vtkNew<vtkMultiBlockDataSet> elementBlocks;
@@ -66,7 +67,7 @@ int vtkSweepSets::RequestData(
     for (const hexsweep::BoundarySet& set : sets)
     {
       setBlock(sideSets, i, set.name, hexsweep::newSideSet(boundary, set));
-      setBlock(nodeSets, i, set.name, hexsweep::newNodeSet(boundary, set));
+      setBlock(nodeSets, i, set.nodesName, hexsweep::newNodeSet(boundary, set));
       ++i;
       hexsweep::reportProgress(hexsweep::pipelineProgress(this),
         static_cast<double>(i) / static_cast<double>(sets.size()));
@@ -78,4 +79,5 @@ int vtkSweepSets::RequestData(
 void vtkSweepSets::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "RoleSets: " << (this->RoleSets ? "On" : "Off") << "\n";
 }

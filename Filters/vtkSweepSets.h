@@ -26,13 +26,17 @@
  *
  * The output has three blocks:
  * - `Element Blocks`: the hexahedra, those on the boundary first, which spares vtkExodusIIWriter
- *   a long search; their numbers in the input, from 1 on, are their ids in the file. The block id
- *   is the cell array `VolumeId` (1 where there is none, or where an id does not fit: below 1 or
- *   over 2^31 - 1); the name is that in the field data array `VolumeName`, else "Volume" and it.
- * - `Side Sets`: one a face of the solid, "Face ID:3" for face 3, whose id it has; then "Source",
- *   "Target" and "Sides" with the ids that follow. Where a face id is below 1 or over a million,
- *   all sets are numbered from 1 on in the order of the face ids instead, which stay in the names.
- * - `Node Sets`: the same sets as nodes.
+ *   a long search; their numbers in the input, from 1 on, are their ids in the file. The file has
+ *   one block a volume: its id is the cell array `VolumeId` (1 where there is none, or where an id
+ *   does not fit: below 1 or over 2^31 - 1), its name that in the field data array `VolumeName`,
+ *   else "Volume" and the id ("Volumes" for all of several).
+ * - `Side Sets`: one a face of the solid, "Face ID:3" for face 3, whose id it has; then, see
+ *   SetRoleSets(), "Source", "Target" and "Sides" with the ids that follow. Where a face id is
+ * below 1 or over 100000, the faces are numbered from 1 on in the order of their ids instead, which
+ * stay in the names.
+ * - `Node Sets`: the same sets as nodes, with names and ids of their own: "Face nodes ID:103" for
+ *   face 3 (what is added is the least power of ten above the ids of all side sets), "Source nodes"
+ *   and so on.
  *
  * Point, cell and field data stay on the hexahedra, but for field data that are text or reports
  * (`SweepReport*`), which go to the output itself: Exodus files have no place for them.
@@ -62,6 +66,13 @@ public:
   void SetBoundaryData(vtkDataObject* data) { this->SetInputData(1, data); }
   ///@}
 
+  ///@{
+  /// Whether the source cap, the target cap and the sides are sets as well. On by default.
+  vtkSetMacro(RoleSets, bool);
+  vtkGetMacro(RoleSets, bool);
+  vtkBooleanMacro(RoleSets, bool);
+  ///@}
+
 protected:
   vtkSweepSets();
   ~vtkSweepSets() override = default;
@@ -72,6 +83,8 @@ protected:
 private:
   vtkSweepSets(const vtkSweepSets&) = delete;
   void operator=(const vtkSweepSets&) = delete;
+
+  bool RoleSets = true;
 };
 
 #endif

@@ -143,10 +143,21 @@ of_solid = {f"Face ID:{face}": face_ids == face for face in np.unique(face_ids)}
 of_solid.update(Source=face_ids == SOURCE_FACE, Target=face_ids == TARGET_FACE)
 of_solid["Sides"] = ~(of_solid["Source"] | of_solid["Target"])
 check(set(side_sets) == set(of_boundary), f"side sets are {list(side_sets)}")
-check(set(node_sets) == set(of_boundary), f"node sets are {list(node_sets)}")
+# The flange has faces 1 to 10, so that the ids of node sets are those of side sets and a hundred.
+NODES = 100
+
+
+def nodes_name(name):
+    face = name.split(":")
+    return f"Face nodes ID:{int(face[1]) + NODES}" if len(face) > 1 else name + " nodes"
+
+
+check(
+    set(node_sets) == {nodes_name(name) for name in of_boundary}, f"node sets are {list(node_sets)}"
+)
 points, faces = points_of(boundary).astype(AS_READ), faces_of(boundary)
 for name, mask in of_boundary.items():
-    side_set, node_set = side_sets[name], node_sets[name]
+    side_set, node_set = side_sets[name], node_sets[nodes_name(name)]
     expected = face_areas[of_solid[name]].sum()
     area = areas(points_of(side_set), faces_of(side_set)).sum()
     check(abs(area / expected - 1) < 0.02, f"{name}: area {area}, of the solid {expected}")
@@ -165,12 +176,16 @@ for name, mask in of_boundary.items():
         np.array_equal(hex_points[nodes_of(node_set)], points_of(node_set)),
         f"{name}: the nodes are those of the hexahedra",
     )
+    side_id, node_id = ids[side_kind, name], ids[node_kind, nodes_name(name)]
+    check(node_id == side_id + NODES, f"{name}: ids {side_id} and {node_id}")
     if name.startswith("Face"):
-        for kind in (side_kind, node_kind):
-            check(ids[kind, name] == int(name.split(":")[1]), f"{name}: id {ids[kind, name]}")
-for kind in (side_kind, node_kind):
-    numbers = [number for (of_kind, _), number in ids.items() if of_kind == kind]
-    check(len(set(numbers)) == len(of_boundary), f"every set has an id of its own: {numbers}")
+        check(side_id == int(name.split(":")[1]), f"{name}: id {side_id}")
+names = [name for kind, name in ids if kind in (side_kind, node_kind)]
+numbers = [number for (kind, _), number in ids.items() if kind in (side_kind, node_kind)]
+for values in (names, numbers):
+    check(
+        len(set(values)) == len(values) == 2 * len(of_boundary), f"no two sets share any of {values}"
+    )
 
 # ParaView opens the file with another reader, which keeps double precision.
 opened = simple.OpenDataFile(FILE)
@@ -180,7 +195,9 @@ names = {  # in lower case, without spaces
     collection.GetMetaData(i).Get(collection.NAME()): i
     for i in range(collection.GetNumberOfPartitionedDataSets())
 }
-expected = {name.lower().replace(" ", "_") for name in of_boundary}
+expected = {
+    name.lower().replace(" ", "_") for face in of_boundary for name in (face, nodes_name(face))
+}
 check(expected <= set(names), f"ParaView shows {sorted(names)}")
 in_paraview = collection.GetPartition(names[f"volume_{VOLUME}"], 0)
 check(same_rows(points_of(in_paraview), points_of(hexes)), "coordinates in double precision")

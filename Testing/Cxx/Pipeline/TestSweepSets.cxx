@@ -110,16 +110,33 @@ TEST(SweepSets, NodesAreThoseOfTheHexahedra)
       EXPECT_EQ(pointOf(set, i), pointOf(wing.hexes, node));
     }
     EXPECT_EQ(static_cast<vtkIdType>(nodes.size()), set->GetNumberOfPoints()) << name;
-    if (name == "Source" || name == "Target")
+    if (name == "Source nodes" || name == "Target nodes")
     {
-      const vtkIdType first = name == "Source" ? 0 : 3 * layer;
+      const vtkIdType first = name == "Source nodes" ? 0 : 3 * layer;
       EXPECT_EQ(static_cast<vtkIdType>(nodes.size()), layer);
       EXPECT_EQ(*nodes.begin(), first);
       EXPECT_EQ(*nodes.rbegin(), first + layer - 1);
     }
   }
-  EXPECT_EQ(nodeSets.count("Sides"), 1u);
-  EXPECT_EQ(nodeSets.count("Face ID:3"), 1u);
+  EXPECT_EQ(nodeSets.count("Sides nodes"), 1u);
+  EXPECT_EQ(nodeSets.count("Face nodes ID:13"), 1u);
+}
+
+TEST(SweepSets, RoleSetsCanBeLeftOut)
+{
+  SweptWing wing;
+  Sets sets(wing.hexes, wing.boundary);
+  sets.filter->RoleSetsOff();
+  sets.filter->Update();
+  for (const unsigned int part : { 1u, 2u })
+  {
+    const auto named = sets.of(part);
+    EXPECT_EQ(named.size(), 4u) << part;
+    for (const auto& [name, set] : named)
+    {
+      EXPECT_EQ(name.rfind("Face", 0), 0u) << name;
+    }
+  }
 }
 
 TEST(SweepSets, IdsThatDoNotFitStayInTheNames)
@@ -140,6 +157,7 @@ TEST(SweepSets, IdsThatDoNotFitStayInTheNames)
   }
   EXPECT_EQ(names,
     (std::set<std::string>{ "Face -1 ID:1", "Face 5000000000 ID:2", "Source", "Target", "Sides" }));
+  EXPECT_EQ(sets.of(2).count("Face 5000000000 nodes ID:12"), 1u);
 }
 
 TEST(SweepSets, WrongInputsAreNamed)

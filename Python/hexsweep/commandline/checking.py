@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether a file holds the mesh that was written to it.
+
+A writer may end with success over a file that a full disk has cut short or left holes in.
+"""
+
+import operator
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkFloatArray, vtkIdTypeArray
+
+
+def difference(path, written, exodus):
+    """@param written: the grid, or for Exodus files the output of vtkSweepSets.
+    @return what differs, in words that follow "the file"; nothing where nothing does."""
+    return _exodus_difference(path, written) if exodus else _xml_difference(path, written)
+
+
+def _xml_difference(path, grid):
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    read = reader.GetOutput()
+    if _counts(read) != _counts(grid):
+        return "has other numbers of points and cells"
+    if _bytes(read.GetPoints().GetData()) != _bytes(grid.GetPoints().GetData()):
+        return "has other points"
+    if list(_corners(read)) != list(_corners(grid)):
+        return "has other cells"
+    for kind in ("GetPointData", "GetCellData"):
+        for array in _arrays(getattr(grid, kind)()):
+            if _bytes(getattr(read, kind)().GetArray(array.GetName())) != _bytes(array):
+                return f"has other values of {array.GetName()}"
+    return ""
+
+
+def _exodus_difference(path, sets):
+    from vtkmodules.vtkIOExodus import vtkExodusIIReader
+
+    reader = vtkExodusIIReader()
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    reader.GenerateGlobalNodeIdArrayOn()
+    reader.GenerateGlobalElementIdArrayOn()
+    for kind in (reader.ELEM_BLOCK, reader.NODAL, reader.SIDE_SET, reader.NODE_SET):
+        reader.SetAllArrayStatus(kind, 1)
+        for i in range(reader.GetNumberOfObjects(kind)):
+            reader.SetObjectStatus(kind, i, 1)
+    reader.Update()
+    if not reader.GetOutput().GetNumberOfBlocks():
+        return "cannot be read"
+    # Element blocks, side sets and node sets, as the reader and as the filter place them.
+    (blocks, own_blocks), *others = (
+        (_grids(reader.GetOutput(), place), _grids(sets, part))
+        for place, part in ((0, 0), (4, 1), (7, 2))
+    )
+    for read, own in ((blocks, own_blocks), *others):
+        if [_cells(grid) for grid in read] != [_cells(grid) for grid in own]:
+            return "has other blocks or sets"
+    problems = [_block_difference(*pair) for pair in zip(blocks, own_blocks)]
+    problems += [_set_difference(*pair) for sets in others for pair in zip(*sets)]
+    return next(filter(None, problems), "")
+
+
+def _set_difference(read, own):
+    # The corners of a side may begin with another one.
+    nodes = (sorted(_values(g.GetPointData().GetArray("GlobalNodeId"))) for g in (read, own))
+    if not operator.eq(*nodes):
+        return "has other sets"
+    for name in ("SourceElementId", "SourceElementSide"):
+        array = own.GetCellData().GetArray(name)
+        if array and _doubles(read.GetCellData().GetArray(name)) != _doubles(array):
+            return "has other sides"
+    return ""
+
+
+def _block_difference(read, own):
+    """The reader gives elements in the order of the file, and renumbers the nodes."""
+    nodes = [i - 1 for i in _values(read.GetPointData().GetArray("GlobalNodeId"))]
+    if [nodes[p] for p in _corners(read)] != list(_corners(own)):
+        return "has other hexahedra"
+    if sorted(nodes) != list(range(own.GetNumberOfPoints())):
+        return "has other nodes"
+    # Coordinates are read in single precision.
+    found, truth = (_values(_as(vtkFloatArray, g.GetPoints().GetData())) for g in (read, own))
+    if any(found[3 * i : 3 * i + 3] != truth[3 * n : 3 * n + 3] for i, n in enumerate(nodes)):
+        return "has other points"
+    for array in _arrays(own.GetPointData()):
+        found = read.GetPointData().GetArray(array.GetName())
+        values = _doubles(array)
+        if found and list(_doubles(found)) != [values[n] for n in nodes]:
+            return f"has other values of {array.GetName()}"
+    for array in _arrays(own.GetCellData()):
+        found = read.GetCellData().GetArray(array.GetName())
+        if found and _doubles(found) != _doubles(array):
+            return f"has other values of {array.GetName()}"
+    return ""
+
+
+def _grids(blocks, place):
+    part = blocks.GetBlock(place)
+    return [part.GetBlock(i) for i in range(part.GetNumberOfBlocks())]
+
+
+def _cells(grid):
+    return grid.GetNumberOfCells() if grid else 0
+
+
+def _counts(grid):
+    return grid.GetNumberOfPoints(), grid.GetNumberOfCells()
+
+
+def _corners(grid):
+    """Point ids of all cells in turn."""
+    return _values(_as(vtkIdTypeArray, grid.GetCells().GetConnectivityArray()))
+
+
+def _arrays(data):
+    arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
+    return [array for array in arrays if array and array.GetName()]
+
+
+def _as(kind, array):
+    copy = kind()
+    copy.DeepCopy(array)
+    return copy
+
+
+def _values(array):
+    """All components of all tuples in turn."""
+    view = memoryview(array)
+    return view.cast("B").cast(view.format)
+
+
+def _doubles(array):
+    return _values(_as(vtkDoubleArray, array))
+
+
+def _bytes(array):
+    return bytes(memoryview(array)) if array else b""

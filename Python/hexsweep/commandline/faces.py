@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A list of the faces of a solid, to choose the source cap from, and the ways to sweep it."""
+
+from .. import vtkSolidFaces, vtkSweepCandidates
+from .messages import Refusal, VtkMessages
+from .process import in_child
+from .reading import check, read
+
+_CELLS = 0, 0, 0, 1  # of SetInputArrayToProcess: a cell array
+_MOST_CANDIDATES = 20
+
+
+def run(options):
+    """@return exit status and what to print. @throw Refusal."""
+    check(options.solid)
+    return 0, in_child(lambda: _list(options))
+
+
+def _list(options):
+    messages = VtkMessages()
+    solid = read(options.solid, messages)
+    faces = _table(vtkSolidFaces(), solid, options)
+    candidates = _table(vtkSweepCandidates(), solid, options)
+    return "\n".join([*_face_lines(faces), *_candidate_lines(candidates)])
+
+
+def _table(algorithm, solid, options):
+    algorithm.SetInputData(solid)
+    choose_face_ids(algorithm, options)
+    for name, value in options.settings.items():
+        getattr(algorithm, "Set" + name)(value)
+    algorithm.Update()
+    if algorithm.GetErrorCode() != 0:
+        raise Refusal()
+    return algorithm.GetOutput()
+
+
+def choose_face_ids(algorithm, options):
+    """@param options: with `faces`, the name of an array or nothing."""
+    if options.faces:
+        algorithm.SetInputArrayToProcess(*_CELLS, options.faces)
+
+
+def _face_lines(table):
+    if table.GetFieldData().GetArray("SweepReportFacesByAngle").GetTuple1(0):
+        yield (
+            "The solid has no cell array FaceId or CellEntityIds: faces are told apart by the angle "
+            "between triangles and numbered from 0."
+        )
+    yield f"{'face':>6} {'triangles':>9} {'area':>12}   {'centre':<36} flat"
+    ids, triangles, areas, centers, flatness = (table.GetColumn(i) for i in range(5))
+    for row in range(table.GetNumberOfRows()):
+        place = ", ".join(f"{x:.4g}" for x in centers.GetTuple3(row))
+        flat = "yes" if flatness.GetValue(row) > 0.9999 else "no"
+        yield (
+            f"{ids.GetValue(row):>6} {triangles.GetValue(row):>9} {areas.GetValue(row):>12.6g}   "
+            f"({place:<34}) {flat}"
+        )
+
+
+def _candidate_lines(table):
+    rows = table.GetNumberOfRows()
+    if rows == 0:
+        yield "No pair of face sets was found between which the solid can be swept."
+        return
+    yield "Ways to sweep it, the best first:"
+    yield f"{'score':>6} verdict  source -> target"
+    for row in range(min(rows, _MOST_CANDIDATES)):
+        source, target, verdict, reasons = (
+            table.GetValueByName(row, name).ToString()
+            for name in ("SourceFaceIds", "TargetFaceIds", "Verdict", "Reasons")
+        )
+        score = table.GetValueByName(row, "Score").ToDouble()
+        why = f": {reasons}" if reasons else ""
+        yield f"{score:>6.3f} {verdict:<8} {source} -> {target}{why}"
+    cut = table.GetFieldData().GetArray("SweepReportCandidatesCut").GetTuple1(0)
+    if rows > _MOST_CANDIDATES:
+        yield f"({rows - _MOST_CANDIDATES} more, see Sweep Candidates in ParaView)"
+    if cut:
+        yield "(There are more caps than were tried.)"

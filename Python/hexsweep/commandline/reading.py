@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Solids and quads from files."""
+
+import importlib
+import os
+
+from .messages import Refusal
+
+READERS = {
+    ".vtk": ("vtkIOLegacy", "vtkDataSetReader"),
+    ".vtu": ("vtkIOXML", "vtkXMLUnstructuredGridReader"),
+    ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader"),
+    ".stl": ("vtkIOGeometry", "vtkSTLReader"),
+    ".ply": ("vtkIOPLY", "vtkPLYReader"),
+    ".obj": ("vtkIOGeometry", "vtkOBJReader"),
+}
+
+
+def check(file_name):
+    """@throw Refusal where there is no file that could be read."""
+    extension = os.path.splitext(file_name)[1].lower()
+    if not os.path.isfile(file_name):
+        there = "is no file" if os.path.exists(file_name) else "does not exist"
+        raise Refusal(f"{file_name}: {there}.")
+    if extension not in READERS:
+        raise Refusal(f"{file_name}: only {', '.join(READERS)} files are read.")
+    try:
+        with open(file_name, "rb"):
+            pass
+    except OSError as error:
+        raise Refusal(f"{file_name}: cannot be read: {error.strerror}.") from None
+
+
+def read(file_name, messages):
+    """@param messages: VtkMessages. @return a data set with cells. @throw Refusal."""
+    check(file_name)
+    module, name = READERS[os.path.splitext(file_name)[1].lower()]
+    reader = getattr(importlib.import_module("vtkmodules." + module), name)()
+    reader.SetFileName(file_name)
+    with messages.errors_collected() as errors:
+        reader.Update()
+        data = reader.GetOutputDataObject(0)
+    if errors or not data or reader.GetErrorCode() != 0:
+        why = f": {errors[0]}" if errors else ""
+        raise Refusal(f"{file_name}: cannot be read{why}".rstrip(". \n") + ".")
+    if data.GetNumberOfCells() == 0:
+        raise Refusal(f"{file_name}: no cells in it.")
+    return data

@@ -171,13 +171,19 @@ constexpr const char* StepMended = "SweepReportStepMended";
 /// Id: hexahedra that caps and linking sides alone make bad.
 constexpr const char* CornerConflicts = "SweepReportCornerConflicts";
 
-// Solids (vtkOneToOneSweep).
+// Solids (vtkOneToOneSweep, vtkSweepCandidates).
 
 /// Text: SourceQuads, Solid or made.
 constexpr const char* SourceQuads = "SweepReportSourceQuads";
 /// Ids, one a face.
 constexpr const char* SourceFaceIds = "SweepReportSourceFaceIds";
 constexpr const char* TargetFaceIds = "SweepReportTargetFaceIds";
+/// Texts, one a way to sweep the solid, best first; not where both caps are named.
+constexpr const char* Candidates = "SweepReportCandidates";
+/// Id: 1 where there were more pairs of caps than were tried, else 0.
+constexpr const char* CandidatesCut = "SweepReportCandidatesCut";
+/// Measure: edge length of the hexahedra, asked for or chosen.
+constexpr const char* Size = "SweepReportSize";
 /// Id: points that were given up for another one.
 constexpr const char* MergedPoints = "SweepReportMergedPoints";
 

@@ -6,7 +6,7 @@
 
 namespace hexsweep
 {
-LayerRequest requestedLayers(vtkLayeredSweepAlgorithm* filter)
+LayerRequest requestedLayers(vtkLayeredSweepAlgorithm* filter, bool mayBeFree)
 {
   LayerRequest request;
   request.layers = filter->GetNumberOfLayers();
@@ -29,7 +29,8 @@ LayerRequest requestedLayers(vtkLayeredSweepAlgorithm* filter)
   }
   else
   {
-    layerFractions(request.layers, request.growth, request.bothEnds);
+    const bool isFree = mayBeFree && request.layers == 0;
+    layerFractions(isFree ? 1 : request.layers, request.growth, request.bothEnds);
   }
   return request;
 }

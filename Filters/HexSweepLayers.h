@@ -12,8 +12,9 @@ class vtkLayeredSweepAlgorithm;
 
 namespace hexsweep
 {
+/// @param mayBeFree whether no layers at all may be asked for: the caller chooses them then.
 /// @throw InvalidInput naming the property that is out of range.
-LayerRequest requestedLayers(vtkLayeredSweepAlgorithm* filter);
+LayerRequest requestedLayers(vtkLayeredSweepAlgorithm* filter, bool mayBeFree = false);
 }
 
 #endif

@@ -20,7 +20,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Layers of cells between source and target, >= 1; 10 by default.
+  /// Layers of cells between source and target, >= 1; 10 by default. vtkOneToOneSweep: 0 (its
+  /// default) leaves them to Size.
   vtkSetMacro(NumberOfLayers, vtkIdType);
   vtkGetMacro(NumberOfLayers, vtkIdType);
   ///@}

@@ -3,21 +3,15 @@
 
 #include "Core/Common/Constants.h"
 #include "Core/Common/Describe.h"
-#include "Core/Solids/FaceQuads.h"
-#include "Core/Solids/FoundTarget.h"
-#include "Core/Solids/SolidCage.h"
 #include "Core/Solids/SolidInput.h"
-#include "Core/Solids/SourceQuads.h"
-#include "Core/Solids/TargetFaces.h"
+#include "Core/Solids/SweepChoice.h"
 #include "HexSweepArrays.h"
-#include "HexSweepBoundaryGrid.h"
 #include "HexSweepLayers.h"
-#include "HexSweepLinkingReport.h"
 #include "HexSweepLists.h"
+#include "HexSweepReader.h"
 #include "HexSweepRun.h"
-#include "HexSweepSolidQuads.h"
 #include "HexSweepSolidReader.h"
-#include "HexSweepVolumeId.h"
+#include "HexSweepSolidSweep.h"
 #include "HexSweepWriter.h"
 
 #include <vtkCompositeDataSet.h>
@@ -25,12 +19,14 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <cmath>
+#include <functional>
+#include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkOneToOneSweep);
 
@@ -38,32 +34,78 @@ namespace
 {
 using namespace hexsweep;
 
-std::vector<InteriorStep> stagesOf(const SolidCage& cage)
+using Sweep = std::function<SolidSweepResult(
+  const SweepTopology& topology, vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)>;
+
+double badHexes(vtkUnstructuredGrid* hexes)
 {
-  std::vector<InteriorStep> stages;
-  for (const auto& [name, seconds] : cage.seconds)
-  {
-    stages.push_back({ name, 0, 0, seconds });
-  }
-  return stages;
+  return hexes->GetFieldData()->GetArray(reports::NotCertified)->GetTuple1(0);
 }
 
-void addReports(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology,
-  const std::string& quadsFrom, vtkFieldData* fieldData)
+/**
+ * Tries one sweep after the other until one gives a valid mesh; else the one with the fewest bad
+ * hexahedra is taken.
+ *
+ * @return what to tell the user.
+ * @throw InvalidInput when none gives a mesh.
+ */
+std::vector<std::string> bestOfSweeps(const SweepChoice& choice, const Sweep& sweep,
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
-  addReport(fieldData, reports::SourceQuads, quadsFrom);
-  addIds(fieldData, reports::SourceFaceIds, topology.sourceFaceIds);
-  addIds(fieldData, reports::TargetFaceIds, topology.targetFaceIds);
-  addReport(fieldData, reports::MergedPoints, solid.mergedPoints);
-  addLinkingReport(fieldData, cage.linking);
-  addReport(fieldData, reports::InvertedQuads, cage.projection.quality.inverted);
-  addReport(fieldData, reports::MaximumSourceDistance, cage.greatestDistance);
+  std::vector<std::string> warnings;
+  std::string failed;
+  bool found = false;
+  for (const SweepTopology& topology : choice.sweeps)
+  {
+    const std::string way = describeWay(topology.sourceFaceIds, topology.targetFaceIds);
+    vtkNew<vtkUnstructuredGrid> newHexes;
+    vtkNew<vtkUnstructuredGrid> newBoundary;
+    try
+    {
+      const SolidSweepResult result = sweep(topology, newHexes, newBoundary);
+      if (result.valid || !found || badHexes(newHexes) < badHexes(hexes))
+      {
+        hexes->ShallowCopy(newHexes);
+        boundary->ShallowCopy(newBoundary);
+        warnings = result.warnings;
+        if (!failed.empty())
+        {
+          warnings.insert(warnings.begin(),
+            "no source face is named, and this is the sweep " + way +
+              ", since others that looked better did not work:" + failed +
+              " Name SourceFaceIds if another sweep is meant.");
+        }
+        found = true;
+      }
+      if (result.valid)
+      {
+        return warnings;
+      }
+      failed +=
+        " " + way + " has " + describe(badHexes(newHexes)) + " hexahedra that are not certified.";
+    }
+    catch (const InvalidInput& error)
+    {
+      failed += " " + way + ": " + error.what();
+    }
+    catch (const SolverFailure& error)
+    {
+      failed += " " + way + ": " + error.what();
+    }
+  }
+  if (!found)
+  {
+    throw InvalidInput("no source face is named, and of the sweeps that look best none works:" +
+      failed + " Name SourceFaceIds and TargetFaceIds if another sweep is meant.");
+  }
+  return warnings;
 }
 }
 
 //------------------------------------------------------------------------------
 vtkOneToOneSweep::vtkOneToOneSweep()
 {
+  this->SetNumberOfLayers(0);
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
@@ -137,7 +179,14 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   {
     return;
   }
-  const LayerRequest layers = requestedLayers(this);
+  SolidSweepSettings settings;
+  settings.size = this->Size;
+  settings.quadSize = this->QuadSize;
+  settings.layers = requestedLayers(this, true);
+  settings.matchTolerance = this->MatchTolerance;
+  settings.targetIsNamed = !this->TargetFaceIds.empty();
+  settings.hexes = { this->Method, this->EnsureValid, this->ImproveQuality, this->Certify,
+    this->FailIfInvalid, this->OutputPointsPrecision };
   StageClock clock;
   vtkDataSet* solidData = inputDataSet(inputs, 0);
   const SolidInput input = readSolid(solidData, chosenArray(this)).surface;
@@ -148,73 +197,36 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   options.matchTolerance = this->MatchTolerance;
   options.featureAngle = this->FeatureAngle * Pi / 180.0;
   const SolidSurface solid = makeSolidSurface(input, options);
-  const SweepTopology topology =
-    findSweepTopology(solid, { this->SourceFaceIds.begin(), this->SourceFaceIds.end() },
-      { this->TargetFaceIds.begin(), this->TargetFaceIds.end() });
+  std::vector<Index> sourceIds(this->SourceFaceIds.begin(), this->SourceFaceIds.end());
+  const std::optional<QuadMesh> quads = readOptionalQuads(inputDataSet(inputs, 1), "source quads");
+  if (quads && sourceIds.empty())
+  {
+    sourceIds = facesUnder(solid, *quads);
+  }
+  const SweepChoice choice =
+    chooseSweeps(solid, sourceIds, { this->TargetFaceIds.begin(), this->TargetFaceIds.end() });
   clock.finish("Topology");
   reportProgress(pipelineProgress(this), 0.05);
 
-  SourceCapQuads quads = sourceQuads(inputDataSet(inputs, 1), solidData, input, solid, topology,
-    this->QuadSize, pipelineProgress(this, 0.05, 0.15));
-  clock.finish("Source quads");
-  SolidCageInput cageInput{ solid, topology, std::move(quads.mesh),
-    sidePatches(input, solid, topology), {}, this->MatchTolerance,
-    this->OutputPointsPrecision == SINGLE_PRECISION, this->EnsureValid, this->ImproveQuality };
-  cageInput.layers = layers;
-  const SolidCage cage = makeSolidCage(cageInput, pipelineProgress(this, 0.15, 0.5));
-  clock.finish(stagesOf(cage));
-  if (this->TargetFaceIds.empty())
-  {
-    checkFoundTarget(cage.boundary, topology.targetFaceIds);
-  }
-
-  HexOutputSettings settings;
-  settings.method = this->Method;
-  settings.ensureValid = this->EnsureValid;
-  settings.improveQuality = this->ImproveQuality;
-  settings.certify = this->Certify;
-  settings.failIfInvalid = this->FailIfInvalid;
-  settings.precision = this->OutputPointsPrecision;
-  auto* output = vtkUnstructuredGrid::GetData(outputs, 0);
+  const SolidToSweep toSweep{ solidData, inputDataSet(inputs, 1), input, solid };
+  auto* hexes = vtkUnstructuredGrid::GetData(outputs, 0);
   auto* boundary = vtkUnstructuredGrid::GetData(outputs, 1);
-  output->GetFieldData()->PassData(solidData->GetFieldData());
-  boundary->GetFieldData()->PassData(solidData->GetFieldData());
-  const HexOutput hexes =
-    writeHexes(cage, quads.attributes, settings, clock, pipelineProgress(this, 0.5, 0.97), output);
-  writeBoundary(cage, solid, topology, hexes.sourceIsBottom, output, boundary);
-  carryVolumeId(solidData, output);
-
-  addReports(cage, solid, topology, quads.origin, output->GetFieldData());
-  clock.finish("Output");
-  clock.report(output->GetFieldData());
-
-  std::vector<std::string> warnings = linkingWarnings(cage.linking);
-  if (quads.inverted > 0)
+  const auto sweep = [&](const SweepTopology& topology, vtkUnstructuredGrid* hexGrid,
+                       vtkUnstructuredGrid* boundaryGrid) {
+    return sweepSolid(
+      toSweep, topology, settings, clock, pipelineProgress(this, 0.05, 1.0), hexGrid, boundaryGrid);
+  };
+  std::vector<std::string> warnings;
+  if (choice.sweeps.size() == 1)
   {
-    warnings.push_back(std::to_string(quads.inverted) +
-      " of the quads that were made on the source cap are inverted: edges of length " +
-      describe(quads.size) +
-      " are too long for its holes or walls. Set QuadSize to a smaller length, or give quads of "
-      "the source cap.");
+    warnings = sweep(choice.sweeps.front(), hexes, boundary).warnings;
   }
-  warnings.push_back(describeMismatch(
-    cage.projection.sourceMismatch, "source cap of the solid", "boundary of the source quads"));
-  warnings.insert(warnings.end(), hexes.warnings.begin(), hexes.warnings.end());
-  constexpr double CoarseTurn = 30.0;
-  const double facetTurn = greatestFacetTurn(solid, topology);
-  if (facetTurn > CoarseTurn && !hexes.warnings.empty())
+  else
   {
-    warnings.push_back("the triangles of the solid turn by up to " +
-      describe(std::round(facetTurn)) +
-      " degrees from facet to facet round a curve of the source cap, which bends the quads on it. "
-      "Export the solid with finer triangles on its curves.");
+    warnings = bestOfSweeps(choice, sweep, hexes, boundary);
   }
-  if (this->TargetFaceIds.empty() && !hexes.warnings.empty())
-  {
-    warnings.push_back("no target face was named, and face " +
-      std::to_string(topology.targetFaceIds.front()) +
-      " was found to fit. If the sweep is not meant to end there, name its target.");
-  }
+  addReport(hexes->GetFieldData(), reports::Candidates, describeRanking(choice.ranking));
+  clock.report(hexes->GetFieldData());
   for (const std::string& warning : warnings)
   {
     if (!warning.empty())
@@ -230,6 +242,7 @@ void vtkOneToOneSweep::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   printList(os, indent, "SourceFaceIds", this->SourceFaceIds);
   printList(os, indent, "TargetFaceIds", this->TargetFaceIds);
+  os << indent << "Size: " << this->Size << "\n";
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";

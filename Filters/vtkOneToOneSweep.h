@@ -4,18 +4,18 @@
  * @brief Meshes a solid with hexahedra by sweeping the quads of one face to another.
  *
  * Give it the boundary of a solid as triangles with face ids, as CAD systems and gmsh export it,
- * and name the source face. Everything else is found or made: the target face, the sides between
- * the two and which of their loops belong together, structured quads on the sides, the quads of the
- * source face on the target face, the interior. The method is that of S. Cai and T. J. Tautges,
- * "Robust One-to-One Sweeping with Harmonic S-T Mappings and Cages", 22nd International Meshing
- * Roundtable, 2013.
+ * and, if you like, name the source face. Everything else is found or made: the source face, the
+ * target face, the sides between the two and which of their loops belong together, structured quads
+ * on the sides, the quads of the source face on the target face, the interior. The method is that
+ * of S. Cai and T. J. Tautges, "Robust One-to-One Sweeping with Harmonic S-T Mappings and Cages",
+ * 22nd International Meshing Roundtable, 2013.
  *
  * Inputs, vtkUnstructuredGrid or vtkPolyData:
  * - port 0 `Solid`: a closed surface (points may be repeated along edges), or a volume mesh, whose
  *   boundary is taken. The faces are told apart by a cell array, see SetInputArrayToProcess();
  *   without one by the angle between neighbouring triangles.
  * - port 1 `SourceQuads`, optional: quads on the source face. Without it: quad cells on the source
- *   face of the solid, where it is meshed with these; otherwise quads are made, see SetQuadSize().
+ *   face of the solid, where it is meshed with these; otherwise quads are made, see SetSize().
  *
  * Faces on the sides that are meshed with structured quads from source to target keep their nodes,
  * so that neighbouring volumes fit together.
@@ -30,7 +30,9 @@
  * vtkSweepSets makes side sets and node sets of them, for an Exodus file.
  *
  * Field data of both outputs: those of the solid; on output 0 the reports of the other filters'
- * (`SweepReport*`) as well: stages with their seconds, `SweepReportTargetFaceIds`,
+ * (`SweepReport*`) as well: stages with their seconds, `SweepReportSourceFaceIds`,
+ * `SweepReportTargetFaceIds`, `SweepReportCandidates` (the ways to sweep the solid, best first, in
+ * words), `SweepReportSize`,
  * `SweepReportKeptEdges` (CAD edges that are columns), `SweepReportLostEdges`, quality of the
  * source quads that were made, ...
  *
@@ -66,7 +68,8 @@ public:
   ///@}
 
   ///@{
-  /// Ids of the faces that are the source cap; at least one, in any order.
+  /// Ids of the faces that are the source cap, in any order. None (the default): the sweep is
+  /// found, see vtkSweepCandidates; up to three are tried until all hexahedra are certified.
   void AddSourceFaceId(vtkIdType id);
   void RemoveAllSourceFaceIds();
   int GetNumberOfSourceFaceIds() const { return static_cast<int>(this->SourceFaceIds.size()); }
@@ -74,8 +77,7 @@ public:
   ///@}
 
   ///@{
-  /// Ids of the faces that are the target cap. None (the default): the target is found, where only
-  /// one face can be it.
+  /// Ids of the faces that are the target cap. None (the default): the best one is found.
   void AddTargetFaceId(vtkIdType id);
   void RemoveAllTargetFaceIds();
   int GetNumberOfTargetFaceIds() const { return static_cast<int>(this->TargetFaceIds.size()); }
@@ -83,8 +85,16 @@ public:
   ///@}
 
   ///@{
-  /// Edge length of the source quads where they are made here; 0 (the default): about a thousand
-  /// quads, more where holes are small.
+  /// Edge length of the hexahedra, in the unit of the coordinates: sets the size of quads that are
+  /// made and of layers where QuadSize, LayerSize, NumberOfLayers (0: the default here) and
+  /// LayerPositions do not. 0 (the default): about a thousand quads, more where holes are small,
+  /// layers as thick as these are wide, at least one, and at most a million hexahedra.
+  vtkSetMacro(Size, double);
+  vtkGetMacro(Size, double);
+  ///@}
+
+  ///@{
+  /// Edge length of the source quads where they are made here; 0 (the default): see SetSize().
   vtkSetMacro(QuadSize, double);
   vtkGetMacro(QuadSize, double);
   ///@}
@@ -160,6 +170,7 @@ private:
 
   std::vector<vtkIdType> SourceFaceIds;
   std::vector<vtkIdType> TargetFaceIds;
+  double Size = 0.0;
   double QuadSize = 0.0;
   double FeatureAngle = 30.0;
   double MatchTolerance = 1e-6;

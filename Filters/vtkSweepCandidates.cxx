@@ -4,6 +4,8 @@
 #include "Core/Common/Constants.h"
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepCandidates.h"
+#include "HexSweepArrays.h"
+#include "HexSweepLists.h"
 #include "HexSweepRun.h"
 #include "HexSweepSolidReader.h"
 #include "HexSweepWriter.h"
@@ -74,18 +76,13 @@ int vtkSweepCandidates::FillInputPortInformation(int, vtkInformation* info)
 //------------------------------------------------------------------------------
 void vtkSweepCandidates::AddSourceFaceId(vtkIdType id)
 {
-  this->SourceFaceIds.push_back(id);
-  this->Modified();
+  hexsweep::addToList(this, this->SourceFaceIds, id);
 }
 
 //------------------------------------------------------------------------------
 void vtkSweepCandidates::RemoveAllSourceFaceIds()
 {
-  if (!this->SourceFaceIds.empty())
-  {
-    this->SourceFaceIds.clear();
-    this->Modified();
-  }
+  hexsweep::clearList(this, this->SourceFaceIds);
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +112,7 @@ int vtkSweepCandidates::RequestData(
           solid, { this->SourceFaceIds.begin(), this->SourceFaceIds.end() });
     vtkTable* table = vtkTable::GetData(outputs);
     addRows(candidates, table);
-    hexsweep::addReport(table->GetFieldData(), "SweepReportCandidatesCut",
+    hexsweep::addReport(table->GetFieldData(), hexsweep::reports::CandidatesCut,
       static_cast<hexsweep::Index>(candidates.cut));
   });
 }
@@ -124,12 +121,7 @@ int vtkSweepCandidates::RequestData(
 void vtkSweepCandidates::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SourceFaceIds:";
-  for (const vtkIdType id : this->SourceFaceIds)
-  {
-    os << " " << id;
-  }
-  os << "\n";
+  hexsweep::printList(os, indent, "SourceFaceIds", this->SourceFaceIds);
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
 }

@@ -160,6 +160,21 @@ SideTube sideOf(const LinkingSurface& surface, const std::vector<Index>& rows)
   side.patches = patchesOf(surface, rows);
   return side;
 }
+
+/// Where there are layers already, they count instead of a size.
+Index layersFor(const LayerRequest& request, Index meshedLayers, double columnLength)
+{
+  if (request.size == 0.0)
+  {
+    return request.layers;
+  }
+  if (meshedLayers > 1)
+  {
+    return meshedLayers;
+  }
+  const Index layers = layersOfSize(columnLength, request.size);
+  return request.mostLayers > 0 ? std::min(layers, request.mostLayers) : layers;
+}
 }
 
 std::vector<SideTube> splitLinkingSides(
@@ -255,9 +270,7 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
       result.refusedPatches.end(), side.refusedPatches().begin(), side.refusedPatches().end());
   }
   result.meanColumnLength = length / static_cast<double>(nodes);
-  const Index layers = request.size == 0.0 ? request.layers
-    : meshedLayers > 1                     ? meshedLayers
-                                           : layersOfSize(result.meanColumnLength, request.size);
+  const Index layers = layersFor(request, meshedLayers, result.meanColumnLength);
   const std::vector<double> fractions = request.positions.empty()
     ? layerFractions(layers, request.growth, request.bothEnds)
     : layerFractions(request.positions);

@@ -16,6 +16,7 @@ struct LayerRequest
 {
   Index layers = 10;
   double size = 0.0;             ///< wanted mean thickness; not 0: counts instead of `layers`
+  Index mostLayers = 0;          ///< of layers by `size`; 0: any number
   double growth = 1.0;           ///< see layerFractions()
   bool bothEnds = false;         ///< see layerFractions()
   std::vector<double> positions; ///< not empty: counts instead of all of these

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/SweepChoice.h"
+
+#include "Core/Common/Errors.h"
+#include "Core/Geometry/TriangleSearch.h"
+#include "Core/Solids/SolidMessages.h"
+#include "Core/Solids/TargetFaces.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+constexpr std::size_t MostTried = 3;
+/// A sweep is not worth a trial where its score is less than this share of the best one's.
+constexpr double LeastShare = 0.25;
+
+[[noreturn]] void failOnRanking(const SweepCandidates& ranking)
+{
+  std::string reasons;
+  for (std::size_t i = 0; i < std::min(MostTried, ranking.list.size()); ++i)
+  {
+    const SweepCandidate& candidate = ranking.list[i];
+    reasons += (i == 0 ? " The likeliest, " : " Next, ") +
+      describeWay(candidate.sourceFaceIds, candidate.targetFaceIds) + ": " + candidate.reasons +
+      (candidate.reasons.back() == '.' ? "" : ".");
+  }
+  throw InvalidInput("no source face is named, and no way to sweep the solid fits." + reasons +
+    " Name the source faces (and the target faces) to sweep it all the same, or cut the solid into "
+    "parts that can be swept.");
+}
+
+SweepChoice bestSweeps(const SolidSurface& solid)
+{
+  SweepChoice choice{ {}, findSweepCandidates(solid) };
+  for (const SweepCandidate& candidate : choice.ranking.list)
+  {
+    if (candidate.fits && choice.sweeps.size() < MostTried &&
+      candidate.score >= LeastShare * choice.ranking.list.front().score)
+    {
+      choice.sweeps.push_back(
+        sweepBetween(solid, candidate.sourceFaceIds, candidate.targetFaceIds));
+    }
+  }
+  if (choice.sweeps.empty())
+  {
+    failOnRanking(choice.ranking);
+  }
+  return choice;
+}
+}
+
+SweepChoice chooseSweeps(const SolidSurface& solid, const std::vector<Index>& sourceFaceIds,
+  const std::vector<Index>& targetFaceIds)
+{
+  if (sourceFaceIds.empty() && targetFaceIds.empty())
+  {
+    return bestSweeps(solid);
+  }
+  SweepChoice choice;
+  if (!sourceFaceIds.empty() && !targetFaceIds.empty())
+  {
+    choice.sweeps.push_back(sweepBetween(solid, sourceFaceIds, targetFaceIds));
+    return choice;
+  }
+  if (sourceFaceIds.empty())
+  {
+    // What is named at one end fits the other way round just as well.
+    const std::vector<Index> source = findTargetFaces(solid, targetFaceIds);
+    choice.sweeps.push_back(sweepBetween(solid, source, targetFaceIds));
+    choice.ranking = findTargetCandidates(solid, targetFaceIds);
+    for (SweepCandidate& candidate : choice.ranking.list)
+    {
+      std::swap(candidate.sourceFaceIds, candidate.targetFaceIds);
+    }
+    return choice;
+  }
+  choice.sweeps.push_back(findSweepTopology(solid, sourceFaceIds));
+  choice.ranking = findTargetCandidates(solid, sourceFaceIds);
+  return choice;
+}
+
+std::vector<Index> facesUnder(const SolidSurface& solid, const QuadMesh& quads)
+{
+  const TriangleSearch search(solid.points, solid.triangles);
+  std::vector<Index> triangles;
+  Index near = -1;
+  for (Index q = 0; q < quads.quads.rows(); ++q)
+  {
+    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+    for (int c = 0; c < 4; ++c)
+    {
+      middle += 0.25 * quads.points.row(quads.quads(q, c));
+    }
+    near = search.closest(middle, near).triangle;
+    triangles.push_back(near);
+  }
+  return facesOfTriangles(solid, triangles);
+}
+
+std::string describeWay(
+  const std::vector<Index>& sourceFaceIds, const std::vector<Index>& targetFaceIds)
+{
+  return "from " + listFaces(sourceFaceIds) + " to " + listFaces(targetFaceIds);
+}
+
+std::vector<std::string> describeRanking(const SweepCandidates& ranking)
+{
+  std::vector<std::string> lines;
+  for (const SweepCandidate& candidate : ranking.list)
+  {
+    char score[32];
+    std::snprintf(score, sizeof(score), "%.3f", candidate.score);
+    lines.push_back(std::to_string(lines.size() + 1) + ": " +
+      describeWay(candidate.sourceFaceIds, candidate.targetFaceIds) + ", score " + score + ", " +
+      verdictOn(candidate) + ": " + candidate.reasons);
+  }
+  if (ranking.cut)
+  {
+    lines.push_back("There were more pairs of caps than these; only the likeliest were tried.");
+  }
+  return lines;
+}
+}

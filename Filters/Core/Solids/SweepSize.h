@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief How thick the layers of a sweep are to be where nobody says so.
+ */
+#ifndef hexsweep_SweepSize_h
+#define hexsweep_SweepSize_h
+
+#include "Core/Solids/SweepTopology.h"
+
+namespace hexsweep
+{
+/// Hexahedra that a sweep may have where nobody asks for a size.
+constexpr Index MostChosenHexes = 1000000;
+
+/// Length of the sides from source to target: their area over the mean length of their loops.
+double sideLength(const SolidSurface& solid, const SweepTopology& topology);
+
+/// Edge of a square with the mean area of the quads, cut into triangles.
+double meanQuadWidth(const QuadMesh& quads);
+
+/// Edge of the hexahedra on their mean way: meanQuadWidth() where source and target are of one
+/// area, else the mean of that and its share on the target.
+double meanHexWidth(
+  const SolidSurface& solid, const SweepTopology& topology, const QuadMesh& sourceQuads);
+
+/**
+ * By how much quads and layers must be longer to stay within a number of hexahedra.
+ *
+ * @param length of the sides. @param quads how many. @param width of the quads, and height of the
+ *        layers.
+ * @return 1 where quads times layers (at least one) are no more than `most`, else > 1.
+ */
+double coarseningFor(double length, Index quads, double width, Index most = MostChosenHexes);
+}
+
+#endif

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepSolidSweep.h"
+
+#include "Core/Common/Describe.h"
+#include "Core/Solids/FaceQuads.h"
+#include "Core/Solids/FoundTarget.h"
+#include "Core/Solids/SolidCage.h"
+#include "Core/Solids/SolidMessages.h"
+#include "Core/Solids/SourceQuads.h"
+#include "Core/Solids/SweepSize.h"
+#include "HexSweepArrays.h"
+#include "HexSweepBoundaryGrid.h"
+#include "HexSweepLinkingReport.h"
+#include "HexSweepSolidQuads.h"
+#include "HexSweepVolumeId.h"
+#include "HexSweepWriter.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+std::vector<InteriorStep> stagesOf(const SolidCage& cage)
+{
+  std::vector<InteriorStep> stages;
+  for (const auto& [name, seconds] : cage.seconds)
+  {
+    stages.push_back({ name, 0, 0, seconds });
+  }
+  return stages;
+}
+
+void addReports(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology,
+  const std::string& quadsFrom, vtkFieldData* fieldData)
+{
+  addReport(fieldData, reports::SourceQuads, quadsFrom);
+  addIds(fieldData, reports::SourceFaceIds, topology.sourceFaceIds);
+  addIds(fieldData, reports::TargetFaceIds, topology.targetFaceIds);
+  addReport(fieldData, reports::MergedPoints, solid.mergedPoints);
+  addLinkingReport(fieldData, cage.linking);
+  addReport(fieldData, reports::InvertedQuads, cage.projection.quality.inverted);
+  addReport(fieldData, reports::MaximumSourceDistance, cage.greatestDistance);
+}
+
+/// Quads of the source cap, and the layers that go with them.
+struct SizedQuads
+{
+  SourceCapQuads quads;
+  LayerRequest layers;
+  double size = 0.0;        ///< asked for, or that of the quads
+  double refusedSize = 0.0; ///< that would have given too many hexahedra; 0: none
+};
+
+SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
+  const SolidSweepSettings& settings, const Progress& progress)
+{
+  if (!(settings.size >= 0.0) || !std::isfinite(settings.size))
+  {
+    throw InvalidInput("the size is " + describe(settings.size) +
+      ". Set Size to a positive length, or to 0 for one that fits the solid.");
+  }
+  const double wanted = settings.quadSize != 0.0 ? settings.quadSize : settings.size;
+  const auto quadsOf = [&](double size) {
+    return sourceQuads(
+      solid.sourceQuads, solid.data, solid.input, solid.solid, topology, size, progress);
+  };
+  SizedQuads result{ quadsOf(wanted), settings.layers, settings.size, 0.0 };
+  double width = meanHexWidth(solid.solid, topology, result.quads.mesh);
+  result.size = settings.size > 0.0 ? settings.size : width;
+  const bool isFree =
+    settings.layers.layers == 0 && settings.layers.size == 0.0 && settings.layers.positions.empty();
+  if (!isFree)
+  {
+    return result;
+  }
+  if (settings.size == 0.0)
+  {
+    // The mesher of the cap does not hit a size exactly.
+    constexpr int Trials = 4;
+    constexpr double Slack = 1.02;
+    const double length = sideLength(solid.solid, topology);
+    for (int trial = 0; trial < Trials; ++trial)
+    {
+      const double factor = coarseningFor(length, result.quads.mesh.quads.rows(), width);
+      if (factor == 1.0)
+      {
+        break;
+      }
+      result.refusedSize = result.refusedSize > 0.0 ? result.refusedSize : width;
+      if (result.quads.origin != "made" || settings.quadSize != 0.0)
+      {
+        break;
+      }
+      result.quads = quadsOf(Slack * factor * result.quads.size);
+      width = meanHexWidth(solid.solid, topology, result.quads.mesh);
+    }
+    const Index quads = result.quads.mesh.quads.rows();
+    result.layers.mostLayers = std::max<Index>(1, MostChosenHexes / quads);
+    result.size = std::max(width, length / static_cast<double>(result.layers.mostLayers));
+  }
+  result.layers.size = result.size;
+  return result;
+}
+
+/// What there is to say of the quads and the sides, before the hexahedra.
+std::vector<std::string> warningsOf(const SizedQuads& sized, const SolidCage& cage)
+{
+  std::vector<std::string> warnings = linkingWarnings(cage.linking);
+  if (sized.refusedSize > 0.0)
+  {
+    warnings.push_back("hexahedra of size " + describe(sized.refusedSize) + " would be more than " +
+      std::to_string(MostChosenHexes) + ": they are coarser, of size " + describe(sized.size) +
+      ". Set Size to choose it.");
+  }
+  if (sized.quads.inverted > 0)
+  {
+    warnings.push_back(std::to_string(sized.quads.inverted) +
+      " of the quads that were made on the source cap are inverted: edges of length " +
+      describe(sized.quads.size) +
+      " are too long for its holes or walls. Set QuadSize to a smaller length, or give quads of "
+      "the source cap.");
+  }
+  warnings.push_back(describeMismatch(
+    cage.projection.sourceMismatch, "source cap of the solid", "boundary of the source quads"));
+  return warnings;
+}
+
+/// What may be behind bad hexahedra.
+std::vector<std::string> advice(
+  const SolidSurface& solid, const SweepTopology& topology, bool targetIsNamed)
+{
+  std::vector<std::string> warnings;
+  constexpr double CoarseTurn = 30.0;
+  const double facetTurn = greatestFacetTurn(solid, topology);
+  if (facetTurn > CoarseTurn)
+  {
+    warnings.push_back("the triangles of the solid turn by up to " +
+      describe(std::round(facetTurn)) +
+      " degrees from facet to facet round a curve of the source cap, which bends the quads on it. "
+      "Export the solid with finer triangles on its curves.");
+  }
+  if (!targetIsNamed)
+  {
+    const bool one = topology.targetFaceIds.size() == 1;
+    warnings.push_back("no target face was named, and " + listFaces(topology.targetFaceIds) +
+      (one ? " was" : " were") +
+      " found to fit. If the sweep is not meant to end there, name its target.");
+  }
+  return warnings;
+}
+}
+
+SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topology,
+  const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
+{
+  SizedQuads sized = sizedQuads(solid, topology, settings, progressPart(progress, 0.0, 0.1));
+  stages.finish("Source quads");
+  SolidCageInput cageInput{ solid.solid, topology, std::move(sized.quads.mesh),
+    sidePatches(solid.input, solid.solid, topology), sized.layers, settings.matchTolerance,
+    settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION, settings.hexes.ensureValid,
+    settings.hexes.improveQuality };
+  const SolidCage cage = makeSolidCage(cageInput, progressPart(progress, 0.1, 0.48));
+  stages.finish(stagesOf(cage));
+  if (!settings.targetIsNamed)
+  {
+    checkFoundTarget(cage.boundary, topology.targetFaceIds);
+  }
+
+  hexes->GetFieldData()->PassData(solid.data->GetFieldData());
+  boundary->GetFieldData()->PassData(solid.data->GetFieldData());
+  const HexOutput output = writeHexes(cage, sized.quads.attributes, settings.hexes, stages,
+    progressPart(progress, 0.48, 0.97), hexes);
+  writeBoundary(cage, solid.solid, topology, output.sourceIsBottom, hexes, boundary);
+  carryVolumeId(solid.data, hexes);
+  addReports(cage, solid.solid, topology, sized.quads.origin, hexes->GetFieldData());
+  addReport(hexes->GetFieldData(), reports::Size, sized.size);
+  stages.finish("Output");
+
+  SolidSweepResult result;
+  result.valid = output.warnings.empty();
+  result.warnings = warningsOf(sized, cage);
+  if (!result.valid)
+  {
+    const std::vector<std::string> more = advice(solid.solid, topology, settings.targetIsNamed);
+    result.warnings.insert(result.warnings.end(), output.warnings.begin(), output.warnings.end());
+    result.warnings.insert(result.warnings.end(), more.begin(), more.end());
+  }
+  return result;
+}
+}

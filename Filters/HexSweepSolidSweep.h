@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief One sweep of a solid, from its caps to hexahedra and their boundary. Private to the
+ * module.
+ */
+#ifndef HexSweepSolidSweep_h
+#define HexSweepSolidSweep_h
+
+#include "Core/Linking/LinkingSides.h"
+#include "Core/Solids/SolidInput.h"
+#include "Core/Solids/SweepTopology.h"
+#include "HexSweepHexOutput.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkUnstructuredGrid;
+
+namespace hexsweep
+{
+/// The solid as it was given, and as it was read.
+struct SolidToSweep
+{
+  vtkDataSet* data;
+  vtkDataSet* sourceQuads; ///< nullptr: none are given
+  const SolidInput& input;
+  const SolidSurface& solid;
+};
+
+struct SolidSweepSettings
+{
+  double size = 0.0;     ///< see vtkOneToOneSweep::SetSize()
+  double quadSize = 0.0; ///< not 0: counts instead of `size`
+  /// Where they name neither number, size nor positions, `size` counts.
+  LayerRequest layers;
+  double matchTolerance = 1e-6;
+  bool targetIsNamed = false; ///< one that is not may not lie behind the source
+  HexOutputSettings hexes;
+};
+
+struct SolidSweepResult
+{
+  bool valid = false;                ///< no hexahedron is inverted, or not certified
+  std::vector<std::string> warnings; ///< what to tell the user
+};
+
+/**
+ * Meshes a solid between two caps. Field data of the solid and the report come with the grids.
+ *
+ * @param stages is told of every stage.
+ * @throw InvalidInput as makeSolidCage(), checkFoundTarget() and writeHexes(), and for sizes out of
+ *        range; SolverFailure; Aborted.
+ */
+SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topology,
+  const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary);
+}
+
+#endif

@@ -14,7 +14,8 @@ from .writing import WRITTEN
 _DESCRIPTION = f"""Meshes a solid with hexahedra by sweeping.
 
   hexsweep faces FILE                    lists the faces of the solid (so does a call without -o)
-  hexsweep FILE --source 3 -o part.vtu   meshes it
+  hexsweep FILE -o part.vtu              meshes it, the best way to sweep it
+  hexsweep FILE --source 3 -o part.vtu   meshes it from face 3
 
 Reads {", ".join(READERS)}; writes {", ".join(WRITTEN)} (all but .vtu: Exodus II). A file that is
 called "faces" is ./faces."""
@@ -22,6 +23,7 @@ _EPILOG = """Exit status: 0 certified, 2 meshed but not certified, 1 refused, fa
 
 # Option, property of vtkOneToOneSweep, type, help. What is not given is the filter's own default.
 _SETTINGS = (
+    ("--size", "Size", float, "edge length of the hexahedra (chosen)"),
     ("--layers", "NumberOfLayers", int, "number of layers"),
     ("--layer-size", "LayerSize", float, "or their thickness"),
     ("--growth", "GrowthRatio", float, "thickness of a layer over the last"),
@@ -79,7 +81,7 @@ def _parser(only_faces):
 
 def _add_meshing(parser):
     parser.add_argument("-o", "--output", metavar="FILE", help="what to write")
-    parser.add_argument("--source", type=int, nargs="+", metavar="ID", help="the source faces")
+    parser.add_argument("--source", type=int, nargs="+", metavar="ID", help="the source faces (found)")
     parser.add_argument("--target", type=int, nargs="+", metavar="ID", help="the target faces (found)")
     parser.add_argument("--quads", metavar="FILE", help="quads of the source cap (they are made)")
     parser.add_argument("--both-ends", action="store_true", help="layers grow from both caps")

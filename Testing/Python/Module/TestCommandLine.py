@@ -97,6 +97,24 @@ def test_meshes(folder):
     os.remove(name)
 
 
+def test_needs_nothing_but_the_file(folder):
+    """Caps and layers are found; Size sets quads and layers."""
+    cells = []
+    for words in (), ("--size", "4"), ("--size", "4", "--layers", "1"):
+        name = os.path.join(folder, "flange.vtu")
+        done = run(SOLID, *words, "-o", name)
+        assert done.returncode == 0 and done.stderr == "", done.stderr
+        hexes = read(name)
+        cells.append(hexes.GetNumberOfCells())
+        found = {
+            int(hexes.GetFieldData().GetArray(f"SweepReport{cap}FaceIds").GetTuple1(0))
+            for cap in ("Source", "Target")
+        }
+        assert found == {*CASE["source_face_ids"], *CASE["target_face_ids"]}, found
+        os.remove(name)
+    assert cells[0] > cells[1] > cells[2] > 0 and cells[1] % cells[2] == 0, cells
+
+
 def test_link_is_followed(folder):
     below = os.path.join(folder, "below")
     os.mkdir(below)
@@ -156,7 +174,7 @@ def test_refusals(folder):
         ((SOLID, *COARSE), "name the file to write"),
         ((SOLID, *COARSE, "-o", old + ".txt"), "only .vtu, .ex2"),
         ((SOLID, *COARSE, "-o", old, "--layers", "x"), "invalid int value"),
-        ((SOLID, *COARSE, "-o", old, "--layers", "0"), "number of layers is 0"),
+        ((SOLID, *COARSE, "-o", old, "--layers", "-1"), "number of layers is -1"),
         ((SOLID, *COARSE, "-o", old, "--lay", "3"), "unrecognized arguments: --lay"),
         ((SOLID, *COARSE, "-o", old, "--faces", "Nix"), 'no cell array "Nix"'),
         (("faces", SOLID, "--faces", "Nix"), 'no cell array "Nix"'),
@@ -194,8 +212,8 @@ if __name__ == "__main__":
     test_faces_are_listed()
     test_tells_what_it_is()
     for test in (
-        test_faces_by_angle_are_listed, test_meshes, test_link_is_followed,
-        test_not_certified_is_status_2, test_refusals,
+        test_faces_by_angle_are_listed, test_meshes, test_needs_nothing_but_the_file,
+        test_link_is_followed, test_not_certified_is_status_2, test_refusals,
     ):
         with temporary_folder() as output:
             test(output)

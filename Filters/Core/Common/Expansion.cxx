@@ -16,9 +16,9 @@ Expansion::Expansion(double value)
 void Expansion::grow(double term)
 {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < this->Terms.size(); ++i)
+  for (const double own : this->Terms)
   {
-    const TwoTerms sum = exactSum(term, this->Terms[i]);
+    const TwoTerms sum = exactSum(term, own);
     term = sum.high;
     if (sum.low != 0.0)
     {

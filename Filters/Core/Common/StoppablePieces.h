@@ -23,8 +23,8 @@ namespace hexsweep
 inline void forStoppablePieces(const ParallelFor& parallelFor, const Progress& progress,
   Index count, Index grain, const std::function<void(Index, Index)>& body)
 {
-  constexpr Index piecesAtOnce = 8;
-  const Index group = grain * (parallelFor ? piecesAtOnce : 1);
+  constexpr Index PiecesAtOnce = 8;
+  const Index group = grain * (parallelFor ? PiecesAtOnce : 1);
   for (Index first = 0; first < count; first += group)
   {
     reportProgress(progress, static_cast<double>(first) / static_cast<double>(count));

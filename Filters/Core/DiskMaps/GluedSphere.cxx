@@ -101,8 +101,8 @@ SparseMatrix anchored(
 }
 
 GluedSphere::GluedSphere(
-  SparseMatrix laplacian, const std::vector<Loop>& loops, const PointsRef& points)
-  : GluedSphere(anchored(std::move(laplacian), anchor(loops), loops), loops, points, Anchored{})
+  const SparseMatrix& laplacian, const std::vector<Loop>& loops, const PointsRef& points)
+  : GluedSphere(anchored(laplacian, anchor(loops), loops), loops, points, Anchored{})
 {
 }
 

@@ -37,7 +37,8 @@ public:
    * @param points n x 3.
    * @throw SolverFailure
    */
-  GluedSphere(SparseMatrix laplacian, const std::vector<Loop>& loops, const PointsRef& points);
+  GluedSphere(
+    const SparseMatrix& laplacian, const std::vector<Loop>& loops, const PointsRef& points);
 
   /**
    * Maps the surface that is glued at these angles, beginning with the map of the last ones: its

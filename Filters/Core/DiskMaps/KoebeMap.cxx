@@ -130,9 +130,10 @@ Circle relativeTo(const Circle& unit, const Circle& circle)
 class KoebeIteration
 {
 public:
-  KoebeIteration(const PointsRef& points, SparseMatrix laplacian, const std::vector<Loop>& loops)
+  KoebeIteration(
+    const PointsRef& points, const SparseMatrix& laplacian, const std::vector<Loop>& loops)
     : Loops(loops)
-    , Sphere(std::move(laplacian), loops, points)
+    , Sphere(laplacian, loops, points)
   {
     for (const Loop& loop : loops)
     {

@@ -39,7 +39,7 @@ Normalized normalize(const PointsRef& points)
 
 /// Root-mean-square height over the plane, in units of the radius, from which on a loop itself says
 /// where its normal goes.
-constexpr double planarHeight = 0.05;
+constexpr double PlanarHeight = 0.05;
 
 using PlaneAxes = Eigen::Matrix<double, 3, 2>;
 
@@ -95,9 +95,9 @@ AffineMap fitAffineMap(const PointsRef& source, const PointsRef& target,
   }
 
   // Below this share of the radius squared, an area vector says nothing about the normal.
-  constexpr double negligibleArea = 1e-3;
-  const bool useAreas = sourceArea.norm() > negligibleArea * from.radius * from.radius &&
-    targetArea.norm() > negligibleArea * to.radius * to.radius;
+  constexpr double NegligibleArea = 1e-3;
+  const bool useAreas = sourceArea.norm() > NegligibleArea * from.radius * from.radius &&
+    targetArea.norm() > NegligibleArea * to.radius * to.radius;
   const Eigen::Vector3d normal = useAreas ? Eigen::Vector3d(sourceArea.normalized().transpose())
                                           : leastSquaresNormal(from.points);
   const PlaneAxes axes = axesAround(normal);
@@ -131,7 +131,7 @@ AffineMap fitAffineMap(const PointsRef& source, const PointsRef& target,
   const double misfit2 =
     std::max(0.0, residual.squaredNorm() - (height2 > 0.0 ? moment.squaredNorm() / height2 : 0.0));
   const double freedom = static_cast<double>(std::max<Index>(n - 4, 1));
-  const double flatness = std::max(0.0, planarHeight - std::sqrt(height2 / static_cast<double>(n)));
+  const double flatness = std::max(0.0, PlanarHeight - std::sqrt(height2 / static_cast<double>(n)));
   const double weight = 10.0 * std::sqrt(misfit2 / freedom) + flatness;
   const double prior = static_cast<double>(n) * weight * weight;
   const Eigen::RowVector3d normalColumn = (moment + prior * image) / (height2 + prior);

@@ -24,9 +24,9 @@ struct HalfFixedCorner
 /// Zero where the vectors are parallel but for rounding.
 Eigen::RowVector3d normalOf(const Eigen::RowVector3d& u, const Eigen::RowVector3d& v)
 {
-  constexpr double rounding = 1e-14;
+  constexpr double Rounding = 1e-14;
   const Eigen::RowVector3d sine = u.stableNormalized().cross(v.stableNormalized());
-  return sine.norm() > rounding ? Eigen::RowVector3d(u.cross(v)) : Eigen::RowVector3d::Zero();
+  return sine.norm() > Rounding ? Eigen::RowVector3d(u.cross(v)) : Eigen::RowVector3d::Zero();
 }
 
 class Search

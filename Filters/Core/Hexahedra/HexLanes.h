@@ -13,7 +13,7 @@ constexpr int HexLanesSize = 2;
 
 /// One number for each hexahedron of a batch.
 #if defined(__GNUC__)
-typedef double HexLanes __attribute__((vector_size(HexLanesSize * sizeof(double))));
+using HexLanes = double __attribute__((vector_size(HexLanesSize * sizeof(double))));
 #else
 struct HexLanes
 {

@@ -294,11 +294,11 @@ PolishedHexes polishHexes(const PointsRef& points, const HexesRef& hexes,
   const Progress& progress)
 {
   PolishedHexes result;
-  constexpr double preparation = 0.1;
-  Polisher polisher(points, hexes, fixed, parallelFor, progressPart(progress, 0.0, preparation));
+  constexpr double Preparation = 0.1;
+  Polisher polisher(points, hexes, fixed, parallelFor, progressPart(progress, 0.0, Preparation));
   const std::vector<std::vector<Index>>& groups = polisher.groups();
-  const double width = (1.0 - preparation) / static_cast<double>(rounds * groups.size());
-  double done = preparation;
+  const double width = (1.0 - Preparation) / static_cast<double>(rounds * groups.size());
+  double done = Preparation;
   for (int round = 0; round < rounds; ++round)
   {
     for (const std::vector<Index>& group : groups)

@@ -272,11 +272,12 @@ void HexQualitySummary::add(const HexQuality& quality)
   notCertified += quality.validity != Validity::Certified;
   if (std::isfinite(quality.scaledJacobian))
   {
-    minScaledJacobian = finiteHexes == 0 ? quality.scaledJacobian
-                                         : std::min(minScaledJacobian, quality.scaledJacobian);
-    ++finiteHexes;
-    sumScaledJacobian += quality.scaledJacobian;
-    meanScaledJacobian = sumScaledJacobian / static_cast<double>(finiteHexes);
+    minScaledJacobian = this->FiniteHexes == 0
+      ? quality.scaledJacobian
+      : std::min(minScaledJacobian, quality.scaledJacobian);
+    ++this->FiniteHexes;
+    this->SumScaledJacobian += quality.scaledJacobian;
+    meanScaledJacobian = this->SumScaledJacobian / static_cast<double>(this->FiniteHexes);
   }
   if (!(minJacobianLowerBound <= quality.jacobianLowerBound) &&
     !std::isnan(quality.jacobianLowerBound))

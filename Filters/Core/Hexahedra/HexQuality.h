@@ -82,8 +82,8 @@ struct HexQualitySummary
   void add(const HexQuality& quality);
 
 private:
-  double sumScaledJacobian = 0.0;
-  Index finiteHexes = 0;
+  double SumScaledJacobian = 0.0;
+  Index FiniteHexes = 0;
 };
 
 HexQualitySummary summarize(const std::vector<HexQuality>& qualities);

@@ -120,10 +120,10 @@ Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const
     const double t = boundary.fractions[k];
     const AffineMap fromSource = fitLayerMap(boundary, 0, k);
     const AffineMap fromTarget = fitLayerMap(boundary, layers, k);
-    constexpr Index rowsAtOnce = 512; // so many stay in the cache
-    for (Index first = 0; first < n; first += rowsAtOnce)
+    constexpr Index RowsAtOnce = 512; // so many stay in the cache
+    for (Index first = 0; first < n; first += RowsAtOnce)
     {
-      const Index count = std::min(rowsAtOnce, n - first);
+      const Index count = std::min(RowsAtOnce, n - first);
       swept.middleRows(k * n + first, count) =
         (1.0 - t) * fromSource.apply(source.middleRows(first, count)) +
         t * fromTarget.apply(target.middleRows(first, count));

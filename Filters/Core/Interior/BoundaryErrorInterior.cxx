@@ -48,10 +48,10 @@ void addFromCap(const PointsRef& capPoints, const SweepBoundary& boundary, Index
     residuals.middleCols(3 * (k - 1), 3) = boundary.rings[k] - map.apply(loopNodes);
   }
 
-  constexpr Index rowsAtOnce = 256;
-  for (Index first = 0; first < n; first += rowsAtOnce)
+  constexpr Index RowsAtOnce = 256;
+  for (Index first = 0; first < n; first += RowsAtOnce)
   {
-    const Index count = std::min(rowsAtOnce, n - first);
+    const Index count = std::min(RowsAtOnce, n - first);
     const Eigen::MatrixXd interpolated =
       inverseSquareWeights(capPoints, loopNodes, first, count) * residuals;
     for (Index k = 1; k < layers; ++k)

@@ -59,8 +59,8 @@ bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index number
 {
   checkLayers(quads, points, numberOfLayers);
   const Index n = points.rows() / (numberOfLayers + 1);
-  constexpr Index layersAtMost = 8;
-  const Index looked = std::min(numberOfLayers, layersAtMost);
+  constexpr Index LayersAtMost = 8;
+  const Index looked = std::min(numberOfLayers, LayersAtMost);
   Eigen::VectorXd sums(looked);
   forPieces(parallelFor, looked, 1, [&](Index i, Index) {
     const Index k = looked > 1 ? i * (numberOfLayers - 1) / (looked - 1) : 0;

@@ -136,11 +136,11 @@ public:
    */
   Lanes refine(Lanes isSolved, bool isZero, std::vector<double>& x, std::vector<double>& residual)
   {
-    constexpr int roundsAllowed = 12;
+    constexpr int RoundsAllowed = 12;
     IsSolved = isSolved;
     std::array<double, LanesPerBatch> lastOver;
     lastOver.fill(std::numeric_limits<double>::infinity());
-    for (int round = 0; round < roundsAllowed; ++round)
+    for (int round = 0; round < RoundsAllowed; ++round)
     {
       this->check();
       residual.resize(at(Size * BatchWidth));
@@ -164,7 +164,7 @@ public:
       bool done = true;
       for (std::size_t l = 0; l < LanesPerBatch; ++l)
       {
-        const bool isLast = round + 1 == roundsAllowed;
+        const bool isLast = round + 1 == RoundsAllowed;
         IsSolved[l] = IsSolved[l] && (Over[l] <= 1.0 || (Over[l] < 0.5 * lastOver[l] && !isLast));
         done = done && (!IsSolved[l] || Over[l] <= 1.0);
       }

@@ -65,14 +65,14 @@ void HelmholtzDirectSolver::setMatrix(double lambda)
 
 Points HelmholtzDirectSolver::solve(double lambda, const Points& load, double tolerance)
 {
-  constexpr int roundsAllowed = 8;
+  constexpr int RoundsAllowed = 8;
   this->setMatrix(lambda);
   this->Factor.factorize(this->Matrix);
   const Eigen::VectorXd diagonal = this->Matrix.diagonal();
   const double target = tolerance * std::sqrt(diagonal.mean());
   Points x = Points::Zero(load.rows(), 3);
   Points residual = load;
-  for (int round = 0; round < roundsAllowed; ++round)
+  for (int round = 0; round < RoundsAllowed; ++round)
   {
     x += this->Factor.solve(residual);
     residual = load - this->Matrix * x;

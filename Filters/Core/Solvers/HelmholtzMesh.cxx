@@ -137,15 +137,15 @@ HelmholtzMesh helmholtzMesh(const QuadLaplacian& laplacian, const std::vector<ch
   HelmholtzMesh mesh;
   numberByDistance(K, isGiven, mesh);
   // Free nodes by their number, given ones by -1 - their number; so given ones are below all.
-  constexpr Index unknown = -1;
-  std::vector<Index> place(at(K.rows()), unknown);
+  constexpr Index Unknown = -1;
+  std::vector<Index> place(at(K.rows()), Unknown);
   for (Index i = 0; i < mesh.size(); ++i)
   {
     place[at(mesh.ids[at(i)])] = i;
   }
   setDecay(laplacian, place, mesh);
 
-  std::vector<Index> numberOfGiven(at(K.rows()), unknown);
+  std::vector<Index> numberOfGiven(at(K.rows()), Unknown);
   struct Entry
   {
     Index column;
@@ -170,7 +170,7 @@ HelmholtzMesh helmholtzMesh(const QuadLaplacian& laplacian, const std::vector<ch
         continue;
       }
       Index& number = numberOfGiven[at(other)];
-      if (number == unknown)
+      if (number == Unknown)
       {
         number = static_cast<Index>(mesh.given.size());
         mesh.given.push_back(other);

@@ -33,12 +33,12 @@ struct Simd;
 template <>
 struct Simd<double>
 {
-  typedef double Vector __attribute__((vector_size(registerBytes(8 * LanesPerBatch))));
+  using Vector = double __attribute__((vector_size(registerBytes(8 * LanesPerBatch))));
 };
 template <>
 struct Simd<float>
 {
-  typedef float Vector __attribute__((vector_size(registerBytes(4 * LanesPerBatch))));
+  using Vector = float __attribute__((vector_size(registerBytes(4 * LanesPerBatch))));
 };
 #else
 template <>
@@ -81,10 +81,10 @@ template <typename Real>
 inline Pack<Real> load(const Real* from)
 {
   Pack<Real> result;
-  constexpr int width = sizeof(result.v[0]) / sizeof(Real);
+  constexpr int Width = sizeof(result.v[0]) / sizeof(Real);
   for (int i = 0; i < Pack<Real>::Registers; ++i)
   {
-    result.v[i] = loadVector<typename Pack<Real>::Vector>(from + i * width);
+    result.v[i] = loadVector<typename Pack<Real>::Vector>(from + i * Width);
   }
   return result;
 }
@@ -92,10 +92,10 @@ inline Pack<Real> load(const Real* from)
 template <typename Real>
 inline void store(Real* to, const Pack<Real>& value)
 {
-  constexpr int width = sizeof(value.v[0]) / sizeof(Real);
+  constexpr int Width = sizeof(value.v[0]) / sizeof(Real);
   for (int i = 0; i < Pack<Real>::Registers; ++i)
   {
-    storeVector(to + i * width, value.v[i]);
+    storeVector(to + i * Width, value.v[i]);
   }
 }
 
@@ -192,13 +192,13 @@ struct Sums
 
   Sums()
   {
-    for (int c = 0; c < 3; ++c)
+    for (Pack<Real>& sum : part)
     {
-      part[c] = zero<Real>();
+      sum = zero<Real>();
     }
-    for (int i = 0; i < BatchWidth; ++i)
+    for (double& sum : total)
     {
-      total[i] = 0.0;
+      sum = 0.0;
     }
   }
 

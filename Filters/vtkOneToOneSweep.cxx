@@ -217,13 +217,13 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
       toSweep, topology, settings, clock, pipelineProgress(this, 0.05, 1.0), hexGrid, boundaryGrid);
   };
   std::vector<std::string> warnings;
-  if (choice.sweeps.size() == 1)
+  if (sourceIds.empty() && this->TargetFaceIds.empty())
   {
-    warnings = sweep(choice.sweeps.front(), hexes, boundary).warnings;
+    warnings = bestOfSweeps(choice, sweep, hexes, boundary);
   }
   else
   {
-    warnings = bestOfSweeps(choice, sweep, hexes, boundary);
+    warnings = sweep(choice.sweeps.front(), hexes, boundary).warnings;
   }
   addReport(hexes->GetFieldData(), reports::Candidates, describeRanking(choice.ranking));
   clock.report(hexes->GetFieldData());

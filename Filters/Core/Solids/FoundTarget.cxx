@@ -3,8 +3,7 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Interior/RingAdvance.h"
-
-#include <string>
+#include "Core/Solids/SolidMessages.h"
 
 namespace hexsweep
 {
@@ -18,10 +17,11 @@ void checkFoundTarget(const SweepBoundary& boundary, const std::vector<Index>& t
 {
   if (backwardShare(boundary) > MostBackward)
   {
-    throw InvalidInput("no target face is named, and only face " +
-      std::to_string(targetFaceIds.front()) +
-      " fits the source cap, but the sides turn back on their way to it, as into a blind hole. "
-      "Name the target faces, or cut the solid where it turns back.");
+    const bool one = targetFaceIds.size() == 1;
+    throw InvalidInput("no target face is named, and " + listFaces(targetFaceIds) +
+      (one ? " fits" : " fit") + " the source cap best, but the sides turn back on their way " +
+      (one ? "to it" : "there") +
+      ", as into a blind hole. Name the target faces, or cut the solid where it turns back.");
   }
 }
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 #include <utility>
 
 namespace hexsweep
@@ -18,8 +19,15 @@ constexpr std::size_t MostTried = 3;
 /// A sweep is not worth a trial where its score is less than this share of the best one's.
 constexpr double LeastShare = 0.25;
 
-[[noreturn]] void failOnRanking(const SweepCandidates& ranking)
+[[noreturn]] void failOnRanking(const SolidSurface& solid, const SweepCandidates& ranking)
 {
+  if (ranking.list.empty())
+  {
+    const std::size_t faces = std::set<Index>(solid.faceIds.begin(), solid.faceIds.end()).size();
+    throw InvalidInput("no way to sweep the solid fits: it has " + countOf(faces, "face") +
+      ", of which no two are caps with a side between them. Split its surface into more faces (a "
+      "ball needs a cap above, one below, and a belt), or cut the solid.");
+  }
   std::string reasons;
   for (std::size_t i = 0; i < std::min(MostTried, ranking.list.size()); ++i)
   {
@@ -47,7 +55,7 @@ SweepChoice bestSweeps(const SolidSurface& solid)
   }
   if (choice.sweeps.empty())
   {
-    failOnRanking(choice.ranking);
+    failOnRanking(solid, choice.ranking);
   }
   return choice;
 }

@@ -66,6 +66,13 @@ TEST(SweepChoice, SteppedShaftsAreRefusedInWords)
   EXPECT_EQ(chooseSweeps(solid, { 1 }, {}).sweeps.size(), 1u);
 }
 
+TEST(SweepChoice, TooFewFacesAreSaid)
+{
+  const SolidSurface solid = makeSolidSurface(test::sweptSolid(
+    test::circle(24, 1.0), 2, test::upward(1.0), [](int, int) -> Index { return test::TopFace; }));
+  expectInvalid([&] { chooseSweeps(solid, {}, {}); }, "it has 2 faces, of which no two are caps");
+}
+
 TEST(SweepChoice, FacesUnderQuads)
 {
   const SolidSurface solid = makeSolidSurface(box(2, 2, 1));

@@ -69,25 +69,25 @@ SweepChoice chooseSweeps(const SolidSurface& solid, const std::vector<Index>& so
     return bestSweeps(solid);
   }
   SweepChoice choice;
-  if (!sourceFaceIds.empty() && !targetFaceIds.empty())
+  std::vector<Index> source = sourceFaceIds;
+  std::vector<Index> target = targetFaceIds;
+  if (source.empty() || target.empty())
   {
-    choice.sweeps.push_back(sweepBetween(solid, sourceFaceIds, targetFaceIds));
-    return choice;
+    // What fits from one end to the other fits back just as well.
+    const std::vector<Index>& named = source.empty() ? target : source;
+    choice.ranking = findTargetCandidates(solid, named);
+    std::vector<Index>& found = source.empty() ? source : target;
+    found = choice.ranking.list.empty() ? findTargetFaces(solid, named) // which says why not
+                                        : choice.ranking.list.front().targetFaceIds;
   }
   if (sourceFaceIds.empty())
   {
-    // What is named at one end fits the other way round just as well.
-    const std::vector<Index> source = findTargetFaces(solid, targetFaceIds);
-    choice.sweeps.push_back(sweepBetween(solid, source, targetFaceIds));
-    choice.ranking = findTargetCandidates(solid, targetFaceIds);
     for (SweepCandidate& candidate : choice.ranking.list)
     {
       std::swap(candidate.sourceFaceIds, candidate.targetFaceIds);
     }
-    return choice;
   }
-  choice.sweeps.push_back(findSweepTopology(solid, sourceFaceIds));
-  choice.ranking = findTargetCandidates(solid, sourceFaceIds);
+  choice.sweeps.push_back(sweepBetween(solid, source, target));
   return choice;
 }
 

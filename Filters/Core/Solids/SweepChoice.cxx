@@ -4,6 +4,7 @@
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Solids/SolidMessages.h"
+#include "Core/Solids/SweepCap.h"
 #include "Core/Solids/TargetFaces.h"
 
 #include <algorithm>
@@ -59,6 +60,24 @@ SweepChoice bestSweeps(const SolidSurface& solid)
   }
   return choice;
 }
+
+/// What fits from one end to the other fits back just as well.
+SweepChoice sweepTo(const SolidSurface& solid, const std::vector<Index>& targetFaceIds)
+{
+  const std::vector<Index> target = checkedFaceIds(solid, targetFaceIds, "target");
+  SweepChoice choice{ {}, findTargetCandidates(solid, target) };
+  for (SweepCandidate& candidate : choice.ranking.list)
+  {
+    std::swap(candidate.sourceFaceIds, candidate.targetFaceIds);
+  }
+  if (choice.ranking.list.empty())
+  {
+    throw InvalidInput("no source face is named, and none fits the target cap (" +
+      listFaces(target) + "). Name the source faces as well, or other target faces.");
+  }
+  choice.sweeps.push_back(sweepBetween(solid, choice.ranking.list.front().sourceFaceIds, target));
+  return choice;
+}
 }
 
 SweepChoice chooseSweeps(const SolidSurface& solid, const std::vector<Index>& sourceFaceIds,
@@ -68,26 +87,19 @@ SweepChoice chooseSweeps(const SolidSurface& solid, const std::vector<Index>& so
   {
     return bestSweeps(solid);
   }
-  SweepChoice choice;
-  std::vector<Index> source = sourceFaceIds;
-  std::vector<Index> target = targetFaceIds;
-  if (source.empty() || target.empty())
-  {
-    // What fits from one end to the other fits back just as well.
-    const std::vector<Index>& named = source.empty() ? target : source;
-    choice.ranking = findTargetCandidates(solid, named);
-    std::vector<Index>& found = source.empty() ? source : target;
-    found = choice.ranking.list.empty() ? findTargetFaces(solid, named) // which says why not
-                                        : choice.ranking.list.front().targetFaceIds;
-  }
   if (sourceFaceIds.empty())
   {
-    for (SweepCandidate& candidate : choice.ranking.list)
-    {
-      std::swap(candidate.sourceFaceIds, candidate.targetFaceIds);
-    }
+    return sweepTo(solid, targetFaceIds);
   }
-  choice.sweeps.push_back(sweepBetween(solid, source, target));
+  SweepChoice choice;
+  std::vector<Index> target = targetFaceIds;
+  if (target.empty())
+  {
+    choice.ranking = findTargetCandidates(solid, sourceFaceIds);
+    target = choice.ranking.list.empty() ? findTargetFaces(solid, sourceFaceIds) // says why not
+                                         : choice.ranking.list.front().targetFaceIds;
+  }
+  choice.sweeps.push_back(sweepBetween(solid, sourceFaceIds, target));
   return choice;
 }
 

@@ -35,6 +35,12 @@ TEST(SweepChoice, NamedCapsAreTaken)
   EXPECT_EQ(target.sweeps[0].sourceFaceIds, Ids{ 22 });
   EXPECT_EQ(target.sweeps[0].targetFaceIds, Ids{ 1 });
   EXPECT_EQ(target.ranking.list.front().targetFaceIds, Ids{ 1 });
+  expectInvalid([&] { chooseSweeps(solid, {}, { 99 }); }, "target face id 99 does not exist");
+  expectInvalid(
+    [&] {
+      chooseSweeps(solid, {}, { 1, 3, 5 });
+    },
+    "no source face is named, and none fits the target cap (faces 1, 3 and 5)");
 }
 
 TEST(SweepChoice, AtMostThreeAreTried)

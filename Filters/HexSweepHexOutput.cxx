@@ -11,8 +11,8 @@
 #include "HexSweepQualityArrays.h"
 #include "HexSweepRun.h"
 #include "HexSweepWriter.h"
-#include "vtkCageHexInterior.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkCellData.h>
 #include <vtkDataSet.h>
 #include <vtkIdTypeArray.h>
@@ -25,7 +25,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr int PolishingRounds = 6;
 constexpr Index HexesAPiece = Index{ 1 } << 17;
 
 /// Points, hexahedra, and what they have from the source quads.
@@ -73,26 +72,31 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   const HexOutputSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* output)
 {
-  const bool automatic = settings.method == vtkCageHexInterior::AUTOMATIC;
+  const auto method = static_cast<InteriorKind>(settings.method);
+  const bool automatic = method == InteriorKind::Automatic;
   InteriorOptions options;
   options.ensureValid = settings.ensureValid;
-  options.polishingRounds =
-    settings.ensureValid && settings.improveQuality && automatic ? PolishingRounds : 0;
+  if (!settings.ensureValid || !settings.improveQuality || !automatic)
+  {
+    options.polishingRounds = 0;
+  }
   options.parallelFor = smpFor();
+  options.keepQualities = settings.certify;
   if (settings.precision == vtkAlgorithm::SINGLE_PRECISION)
   {
     options.precision = Precision::Single;
   }
-  const SweepInterior interior =
-    sweepInterior(cage, interiorStarts(static_cast<InteriorKind>(settings.method), smpFor()),
-      options, progressPart(progress, 0.0, 0.9));
+  SweepInterior interior =
+    sweepInterior(cage, interiorStarts(method), options, progressPart(progress, 0.0, 0.9));
   stages.finish(interior.steps);
   const Index layers = cage.boundary.numberOfLayers();
   const vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,
     cage.source.rows(), layers, interior.sourceIsBottom, progressPart(progress, 0.9, 0.91));
   const auto hexes = hexView(connectivity);
-  const std::vector<HexQuality> qualities = hexQualities(
-    interior.points, hexes, settings.certify, smpFor(), progressPart(progress, 0.91, 0.95));
+  const std::vector<HexQuality> qualities = !interior.qualities.empty()
+    ? std::move(interior.qualities)
+    : hexQualities(
+        interior.points, hexes, settings.certify, smpFor(), progressPart(progress, 0.91, 0.95));
   const HexQualitySummary summary = summarize(qualities);
   stages.finish("Quality");
 

@@ -86,10 +86,13 @@ enum class CapBulges
   Fading
 };
 
-Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const QuadsRef& quads,
-  const SweepBoundary& boundary, CapBulges bulges, const Progress& progress,
-  const ParallelFor& parallelFor)
+Points blend(
+  const SweepCage& cage, CapBulges bulges, const Progress& progress, const ParallelFor& parallelFor)
 {
+  const Points& sourcePoints = cage.source;
+  const Points& targetPoints = cage.target;
+  const Quads& quads = cage.quads;
+  const SweepBoundary& boundary = cage.boundary;
   const Index n = sourcePoints.rows();
   const Index layers = boundary.numberOfLayers();
   reportProgress(progress, 0.0);
@@ -158,31 +161,15 @@ Points blend(const PointsRef& sourcePoints, const PointsRef& targetPoints, const
 }
 }
 
-Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
+Points blendInterior(
+  const SweepCage& cage, const Progress& progress, const ParallelFor& parallelFor)
 {
-  return blendInterior(sourcePoints, targetPoints, quads, boundary, progress, {});
+  return blend(cage, CapBulges::Blended, progress, parallelFor);
 }
 
-Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
-  const ParallelFor& parallelFor)
+Points fadingBlendInterior(
+  const SweepCage& cage, const Progress& progress, const ParallelFor& parallelFor)
 {
-  return blend(
-    sourcePoints, targetPoints, quads, boundary, CapBulges::Blended, progress, parallelFor);
-}
-
-Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
-{
-  return fadingBlendInterior(sourcePoints, targetPoints, quads, boundary, progress, {});
-}
-
-Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
-  const ParallelFor& parallelFor)
-{
-  return blend(
-    sourcePoints, targetPoints, quads, boundary, CapBulges::Fading, progress, parallelFor);
+  return blend(cage, CapBulges::Fading, progress, parallelFor);
 }
 }

@@ -6,9 +6,7 @@
 #ifndef hexsweep_BlendInterior_h
 #define hexsweep_BlendInterior_h
 
-#include "Core/Common/Mesh.h"
-#include "Core/Common/ParallelFor.h"
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 
 namespace hexsweep
 {
@@ -31,21 +29,10 @@ namespace hexsweep
  * Affine sweeps (shear, scale, rotation, stretch) of a planar cap are reproduced to rounding, and
  * so are caps in any shape that both are the same up to a rotation and a scale.
  *
- * @param sourcePoints n x 3.
- * @param targetPoints n x 3, same order.
- * @param quads        m x 4, the connectivity of both. Points that no quad uses are placed on the
- *        straight line between the caps.
- * @return (L + 1) n x 3, row k n + i is source point i on layer k. Cap and ring points come out
- *         bit for bit as given.
- * @throw InvalidInput, SolverFailure, Aborted (progress).
+ * Result and errors as InteriorMethod says.
  */
-Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
-
-/// The same with threads; the same bits.
-Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
-  const ParallelFor& parallelFor);
+Points blendInterior(
+  const SweepCage& cage, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 
 /**
  * The same for caps that bulge in different ways: what they do not share does not go through the
@@ -60,13 +47,9 @@ Points blendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoint
  *
  * What blendInterior() reproduces this reproduces too.
  */
-Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
+Points fadingBlendInterior(
+  const SweepCage& cage, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 
-/// The same with threads; the same bits.
-Points fadingBlendInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
-  const ParallelFor& parallelFor);
 }
 
 #endif

@@ -69,9 +69,12 @@ Progress halfOf(const Progress& progress, double from)
 }
 }
 
-Points boundaryErrorInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
+Points boundaryErrorInterior(const SweepCage& cage, const Progress& progress, const ParallelFor&)
 {
+  const Points& sourcePoints = cage.source;
+  const Points& targetPoints = cage.target;
+  const Quads& quads = cage.quads;
+  const SweepBoundary& boundary = cage.boundary;
   const Index layers = boundary.numberOfLayers();
   Points swept = Points::Zero((layers + 1) * sourcePoints.rows(), 3);
   addFromCap(sourcePoints, boundary, 0, halfOf(progress, 0.0), swept);

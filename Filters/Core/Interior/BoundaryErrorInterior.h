@@ -6,8 +6,7 @@
 #ifndef hexsweep_BoundaryErrorInterior_h
 #define hexsweep_BoundaryErrorInterior_h
 
-#include "Core/Common/Mesh.h"
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 
 namespace hexsweep
 {
@@ -26,10 +25,10 @@ namespace hexsweep
  *
  * Costs O(n b L) for n points, b loop nodes, L layers, in O(n L) memory.
  *
- * Parameters, result and errors as blendInterior().
+ * Result and errors as InteriorMethod says.
  */
-Points boundaryErrorInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
+Points boundaryErrorInterior(
+  const SweepCage& cage, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -47,10 +47,13 @@ std::vector<Index> interiorRows(
 }
 }
 
-Points cageInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const CageMethod& method,
-  const Progress& progress, const ParallelFor& parallelFor)
+Points cageInterior(const SweepCage& sweep, const CageMethod& method, const Progress& progress,
+  const ParallelFor& parallelFor)
 {
+  const Points& sourcePoints = sweep.source;
+  const Points& targetPoints = sweep.target;
+  const Quads& quads = sweep.quads;
+  const SweepBoundary& boundary = sweep.boundary;
   Points swept = physicalModel(sourcePoints, targetPoints, quads, boundary);
   const std::vector<Index> inside = interiorRows(quads, sourcePoints.rows(), boundary);
   if (inside.empty())

@@ -6,9 +6,7 @@
 #ifndef hexsweep_CageInterior_h
 #define hexsweep_CageInterior_h
 
-#include "Core/Common/Mesh.h"
-#include "Core/Common/ParallelFor.h"
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 
 #include <functional>
 
@@ -32,13 +30,10 @@ using CageMethod = std::function<CageMap(
  * the number of interior nodes but for the result and the model. The result does not depend on
  * the threads.
  *
- * Parameters but for the method, result and errors as blendInterior().
- *
- * @param parallelFor lends threads; progress is reported from the calling one alone.
+ * Result and errors as InteriorMethod says.
  */
-Points cageInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const CageMethod& method,
-  const Progress& progress = {}, const ParallelFor& parallelFor = {});
+Points cageInterior(const SweepCage& cage, const CageMethod& method, const Progress& progress = {},
+  const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -125,9 +125,8 @@ Points stretchedNormals(
   return normals;
 }
 
-Points greenInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
-  const ParallelFor& parallelFor)
+Points greenInterior(
+  const SweepCage& cage, const Progress& progress, const ParallelFor& parallelFor)
 {
   const CageMethod method = [](const PointsRef& rest, const PointsRef& deformed,
                               const TrianglesRef& triangles) -> CageMap {
@@ -139,6 +138,6 @@ Points greenInterior(const PointsRef& sourcePoints, const PointsRef& targetPoint
       return weights.vertices.transpose() * vertices + weights.faces.transpose() * normals;
     };
   };
-  return cageInterior(sourcePoints, targetPoints, quads, boundary, method, progress, parallelFor);
+  return cageInterior(cage, method, progress, parallelFor);
 }
 }

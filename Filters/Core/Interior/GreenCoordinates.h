@@ -6,9 +6,7 @@
 #ifndef hexsweep_GreenCoordinates_h
 #define hexsweep_GreenCoordinates_h
 
-#include "Core/Common/Mesh.h"
-#include "Core/Common/ParallelFor.h"
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 #include "Core/Interior/TriangleEdges.h"
 
 namespace hexsweep
@@ -92,11 +90,10 @@ Points stretchedNormals(
  * not take it to the affine image. Straight sweeps are their own topological model, and so come out
  * exactly. Elsewhere interior nodes do not meet the cage, and hexahedra beside it can be inverted.
  *
- * Parameters, result and errors as cageInterior().
+ * Result and errors as InteriorMethod says.
  */
-Points greenInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {},
-  const ParallelFor& parallelFor = {});
+Points greenInterior(
+  const SweepCage& cage, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -22,10 +22,13 @@ PrismSolver prismOver(
 }
 }
 
-Points harmonicInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
-  const ParallelFor& parallelFor)
+Points harmonicInterior(
+  const SweepCage& cage, const Progress& progress, const ParallelFor& parallelFor)
 {
+  const Points& sourcePoints = cage.source;
+  const Points& targetPoints = cage.target;
+  const Quads& quads = cage.quads;
+  const SweepBoundary& boundary = cage.boundary;
   Points swept = physicalModel(sourcePoints, targetPoints, quads, boundary);
   // About the middle of the caps: far from the origin the solver's rounding would be larger than
   // the volume.

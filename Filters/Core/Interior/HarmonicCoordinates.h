@@ -22,9 +22,7 @@
 #ifndef hexsweep_HarmonicCoordinates_h
 #define hexsweep_HarmonicCoordinates_h
 
-#include "Core/Common/Mesh.h"
-#include "Core/Common/ParallelFor.h"
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 
 namespace hexsweep
 {
@@ -39,11 +37,10 @@ namespace hexsweep
  * On curved caps the operator has the metric of the quads themselves, not that of the layers
  * that are translated, and linear functions are reproduced no more.
  *
- * Parameters, result and errors as blendInterior().
+ * Result and errors as InteriorMethod says.
  */
-Points harmonicInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {},
-  const ParallelFor& parallelFor = {});
+Points harmonicInterior(
+  const SweepCage& cage, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 
 /**
  * Harmonic coordinates of some cage vertices, at all points of the model. Three of them cost as

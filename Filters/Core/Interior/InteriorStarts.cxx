@@ -11,50 +11,25 @@
 
 namespace hexsweep
 {
-namespace
+std::vector<InteriorStart> interiorStarts(InteriorKind kind)
 {
-using Interior = Points (*)(
-  const PointsRef&, const PointsRef&, const QuadsRef&, const SweepBoundary&, const Progress&);
-using ThreadedInterior = Points (*)(const PointsRef&, const PointsRef&, const QuadsRef&,
-  const SweepBoundary&, const Progress&, const ParallelFor&);
-
-InteriorStart start(const char* name, Interior interior)
-{
-  return { name, [interior](const SweepCage& cage, const Progress& progress) {
-            return interior(cage.source, cage.target, cage.quads, cage.boundary, progress);
-          } };
-}
-
-InteriorStart start(const char* name, ThreadedInterior interior, const ParallelFor& parallelFor)
-{
-  return { name, [interior, parallelFor](const SweepCage& cage, const Progress& progress) {
-            return interior(
-              cage.source, cage.target, cage.quads, cage.boundary, progress, parallelFor);
-          } };
-}
-}
-
-std::vector<InteriorStart> interiorStarts(InteriorKind kind, const ParallelFor& parallelFor)
-{
-  const InteriorStart blend = start("Blend", blendInterior, parallelFor);
-  const InteriorStart fading = start("Blend with fading bulges", fadingBlendInterior, parallelFor);
-  const InteriorStart march = start("LayerMarch", layerMarchInterior);
   switch (kind)
   {
     case InteriorKind::Automatic:
-      return { blend, fading, march };
+      return { { "Blend", blendInterior }, { "Blend with fading bulges", fadingBlendInterior },
+        { "LayerMarch", layerMarchInterior } };
     case InteriorKind::Blend:
-      return { blend };
+      return { { "Blend", blendInterior } };
     case InteriorKind::HarmonicCoordinates:
-      return { start("HarmonicCoordinates", harmonicInterior, parallelFor) };
+      return { { "HarmonicCoordinates", harmonicInterior } };
     case InteriorKind::MeanValueCoordinates:
-      return { start("MeanValueCoordinates", meanValueInterior, parallelFor) };
+      return { { "MeanValueCoordinates", meanValueInterior } };
     case InteriorKind::GreenCoordinates:
-      return { start("GreenCoordinates", greenInterior, parallelFor) };
+      return { { "GreenCoordinates", greenInterior } };
     case InteriorKind::LayerMarch:
-      return { march };
+      return { { "LayerMarch", layerMarchInterior } };
     case InteriorKind::AffineBoundaryError:
-      return { start("AffineBoundaryError", boundaryErrorInterior) };
+      return { { "AffineBoundaryError", boundaryErrorInterior } };
   }
   throw InvalidInput("Method " + std::to_string(static_cast<int>(kind)) +
     " does not exist. Use AUTOMATIC (0), BLEND (1), HARMONIC_COORDINATES (2), "

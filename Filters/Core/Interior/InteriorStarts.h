@@ -6,7 +6,6 @@
 #ifndef hexsweep_InteriorStarts_h
 #define hexsweep_InteriorStarts_h
 
-#include "Core/Common/ParallelFor.h"
 #include "Core/Interior/SweepInterior.h"
 
 #include <vector>
@@ -26,7 +25,7 @@ enum class InteriorKind : int
 };
 
 /// @throw InvalidInput for a number that is no method's.
-std::vector<InteriorStart> interiorStarts(InteriorKind kind, const ParallelFor& parallelFor = {});
+std::vector<InteriorStart> interiorStarts(InteriorKind kind);
 }
 
 #endif

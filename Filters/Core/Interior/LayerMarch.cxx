@@ -137,9 +137,12 @@ private:
 };
 }
 
-Points layerMarchInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress)
+Points layerMarchInterior(const SweepCage& cage, const Progress& progress, const ParallelFor&)
 {
+  const Points& sourcePoints = cage.source;
+  const Points& targetPoints = cage.target;
+  const Quads& quads = cage.quads;
+  const SweepBoundary& boundary = cage.boundary;
   const Index n = sourcePoints.rows();
   const Index layers = boundary.numberOfLayers();
   March march(quads, boundary, n);

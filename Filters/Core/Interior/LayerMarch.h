@@ -6,8 +6,7 @@
 #ifndef hexsweep_LayerMarch_h
 #define hexsweep_LayerMarch_h
 
-#include "Core/Common/Mesh.h"
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 
 namespace hexsweep
 {
@@ -37,16 +36,12 @@ namespace hexsweep
  * One sparse factorisation a layer and direction, and one more for each part of a divided step, all
  * in one elimination order.
  *
- * @param sourcePoints n x 3.
- * @param targetPoints n x 3, same order.
- * @param quads        m x 4, the connectivity of both. Points that no quad uses are placed on the
- *        straight line between the caps.
- * @return (L + 1) n x 3, row k n + i is source point i on layer k. Cap and ring points come out
- *         bit for bit as given.
+ * Result as InteriorMethod says; serial.
+ *
  * @throw InvalidInput, SolverFailure (a layer whose quads have collapsed), Aborted (progress).
  */
-Points layerMarchInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {});
+Points layerMarchInterior(
+  const SweepCage& cage, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 }
 
 #endif

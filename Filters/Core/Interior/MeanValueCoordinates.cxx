@@ -99,9 +99,8 @@ Eigen::VectorXd MeanValueCoordinates::at(const Eigen::RowVector3d& point) const
   return weights / weights.sum();
 }
 
-Points meanValueInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress,
-  const ParallelFor& parallelFor)
+Points meanValueInterior(
+  const SweepCage& cage, const Progress& progress, const ParallelFor& parallelFor)
 {
   const CageMethod method = [](const PointsRef& rest, const PointsRef& deformed,
                               const TrianglesRef& triangles) -> CageMap {
@@ -111,6 +110,6 @@ Points meanValueInterior(const PointsRef& sourcePoints, const PointsRef& targetP
       return coordinates->at(point).transpose() * vertices;
     };
   };
-  return cageInterior(sourcePoints, targetPoints, quads, boundary, method, progress, parallelFor);
+  return cageInterior(cage, method, progress, parallelFor);
 }
 }

@@ -6,9 +6,7 @@
 #ifndef hexsweep_MeanValueCoordinates_h
 #define hexsweep_MeanValueCoordinates_h
 
-#include "Core/Common/Mesh.h"
-#include "Core/Common/ParallelFor.h"
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 #include "Core/Interior/TriangleEdges.h"
 
 namespace hexsweep
@@ -55,11 +53,10 @@ private:
  * caps. Nothing keeps the hexahedra valid, least of all beside re-entrant edges, where weights are
  * negative.
  *
- * Parameters, result and errors as cageInterior().
+ * Result and errors as InteriorMethod says.
  */
-Points meanValueInterior(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const SweepBoundary& boundary, const Progress& progress = {},
-  const ParallelFor& parallelFor = {});
+Points meanValueInterior(
+  const SweepCage& cage, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -33,6 +33,7 @@ struct Candidate
   Hexes hexes;
   bool sourceIsBottom = true;
   HexQualitySummary quality;
+  std::vector<HexQuality> qualities; ///< where they are to be kept
   /// Not certified although inner nodes could change it.
   Index curable = 0;
   FixedCorners fixed;
@@ -109,7 +110,8 @@ public:
   {
     const Stopwatch watch;
     Candidate candidate;
-    candidate.points = start.method(this->Cage, progressPart(progress, 0.0, 0.8));
+    candidate.points =
+      start.method(this->Cage, progressPart(progress, 0.0, 0.8), this->Options.parallelFor);
     candidate.method = start.name;
     candidate.sourceIsBottom = hexsweep::sourceIsBottom(this->Cage.quads, candidate.points,
       this->Cage.boundary.numberOfLayers(), this->Options.parallelFor);
@@ -153,6 +155,7 @@ public:
     Candidate& best = *this->Best;
     const HexQualitySummary quality = best.quality;
     const Index curable = best.curable;
+    std::vector<HexQuality> qualities = std::move(best.qualities);
     PolishedHexes polished = polishHexes(best.points, best.hexes, this->Fixed,
       this->Options.polishingRounds, this->Options.parallelFor, progressPart(progress, 0.0, 0.95));
     std::swap(best.points, polished.points);
@@ -162,6 +165,7 @@ public:
     {
       best.points = std::move(polished.points);
       best.quality = quality;
+      best.qualities = std::move(qualities);
       best.curable = curable;
     }
     else
@@ -217,6 +221,7 @@ public:
     SweepInterior result;
     result.fixed = std::move(this->Best->fixed);
     result.points = std::move(this->Best->points);
+    result.qualities = std::move(this->Best->qualities);
     result.sourceIsBottom = this->Best->sourceIsBottom;
     result.method = std::move(this->Best->method);
     result.steps = std::move(this->Steps);
@@ -227,7 +232,7 @@ public:
 private:
   void measure(Candidate& candidate, const Progress& progress) const
   {
-    const std::vector<HexQuality> qualities =
+    std::vector<HexQuality> qualities =
       hexQualities(candidate.points, candidate.hexes, true, this->Options.parallelFor, progress);
     candidate.quality = summarize(qualities);
     candidate.curable = 0;
@@ -235,6 +240,10 @@ private:
     {
       candidate.curable += qualities[h].validity != Validity::Certified &&
         !candidate.fixed.forbids(static_cast<Index>(h));
+    }
+    if (this->Options.keepQualities)
+    {
+      candidate.qualities = std::move(qualities);
     }
   }
   void finish(const std::string& name, Index notCertified, Index mended, const Stopwatch& watch)

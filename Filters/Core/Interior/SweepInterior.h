@@ -6,27 +6,15 @@
 #ifndef hexsweep_SweepInterior_h
 #define hexsweep_SweepInterior_h
 
-#include "Core/Common/ParallelFor.h"
 #include "Core/Hexahedra/FixedCorners.h"
 #include "Core/Hexahedra/HexQuality.h"
 #include "Core/Hexahedra/HexUntangling.h"
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 
 #include <string>
 
 namespace hexsweep
 {
-struct SweepCage
-{
-  Points source; ///< n x 3
-  Points target; ///< n x 3, same order
-  Quads quads;   ///< of both
-  SweepBoundary boundary;
-};
-
-/// A method: fills (L + 1) n x 3, cap and ring nodes as given.
-using InteriorMethod = std::function<Points(const SweepCage&, const Progress&)>;
-
 /// A start of the cascade.
 struct InteriorStart
 {
@@ -40,6 +28,9 @@ struct InteriorOptions
   bool ensureValid = true;
   /// Polish what is valid: this often round the mesh.
   int polishingRounds = 6;
+  /// Hand on what was found out about the result's hexahedra, so that nobody needs to judge them
+  /// again: three numbers a hexahedron.
+  bool keepQualities = false;
   /// That of the result: rounded at the end, and untangled again where that made hexahedra bad.
   Precision precision = Precision::Double;
   ParallelFor parallelFor = {};
@@ -68,6 +59,9 @@ struct SweepInterior
   /// Of the hexahedra of sweptHexes(). Not looked for where nothing was to be untangled or
   /// polished.
   FixedCorners fixed;
+  /// Of the hexahedra of sweptHexes() as `points` has them, certified; empty where nobody looked or
+  /// they were not to be kept.
+  std::vector<HexQuality> qualities;
   /// How many more hexahedra are not Certified than before the coordinates were rounded.
   Index lostByRounding = 0;
 };

@@ -125,9 +125,9 @@ TEST(InteriorStarts, LentThreadsGiveTheSameBits)
   for (const auto kind : { hexsweep::InteriorKind::Automatic, hexsweep::InteriorKind::Blend,
          hexsweep::InteriorKind::HarmonicCoordinates })
   {
-    const auto serial = hexsweep::interiorStarts(kind).front().method(cage, {});
+    const auto serial = hexsweep::interiorStarts(kind).front().method(cage, {}, {});
     calls = 0;
-    const auto lent = hexsweep::interiorStarts(kind, backwards).front().method(cage, {});
+    const auto lent = hexsweep::interiorStarts(kind).front().method(cage, {}, backwards);
     EXPECT_GT(calls, 0);
     EXPECT_TRUE((serial.array() == lent.array()).all());
   }

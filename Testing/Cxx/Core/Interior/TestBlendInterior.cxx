@@ -77,7 +77,7 @@ TEST(BlendInterior, CorrectionIsTheHarmonicExtensionOfTheBoundaryError)
   // The ring's wave tilts the normals' length a little: sqrt(area ratio) does not enter a planar
   // cap.
   EXPECT_LT(test::greatestDistance(
-              blendInterior(sweep.source, sweep.target, sweep.quads, boundary), expected),
+              blendInterior({ sweep.source, sweep.target, sweep.quads, boundary }), expected),
     1e-12);
 }
 
@@ -133,9 +133,7 @@ TEST(BlendInterior, BendingSweepIsValid)
 TEST(BlendInterior, AbortsAndRefusesAVolumeWithoutHeight)
 {
   const Sweep sweep = test::makeSweep(6, 5, false, test::evenLayers(4), test::bendingMotion);
-  EXPECT_THROW(blendInterior(sweep.source, sweep.target, sweep.quads, test::boundaryOf(sweep),
-                 [](double) { return false; }),
-    hexsweep::Aborted);
+  EXPECT_THROW(blendInterior(test::cageOf(sweep), [](double) { return false; }), hexsweep::Aborted);
   const Sweep flat = test::makeSweep(6, 5, false, test::evenLayers(2),
     [](double x, double y, double) { return Eigen::RowVector3d(x, y, 0); });
   // Rings that coincide weld into one: refused while tracing.

@@ -48,7 +48,7 @@ TEST(BoundaryErrorInterior, EqualsItsFormulaNodeByNode)
   // its push less the affine part arrives with the weight 1/d^2 over the sum of all weights.
   const Sweep sweep = test::makeSweep(12, 9, true, test::evenLayers(5), test::bendingMotion);
   const auto boundary = test::boundaryOf(sweep);
-  const Points swept = boundaryErrorInterior(sweep.source, sweep.target, sweep.quads, boundary);
+  const Points swept = boundaryErrorInterior({ sweep.source, sweep.target, sweep.quads, boundary });
   const Index n = sweep.source.rows();
   std::vector<char> onLoop(static_cast<std::size_t>(n), 0);
   for (const Index id : boundary.nodes)
@@ -90,7 +90,6 @@ TEST(BoundaryErrorInterior, EqualsItsFormulaNodeByNode)
 TEST(BoundaryErrorInterior, Aborts)
 {
   const Sweep sweep = test::makeSweep(6, 5, false, test::evenLayers(4), test::bendingMotion);
-  EXPECT_THROW(boundaryErrorInterior(sweep.source, sweep.target, sweep.quads,
-                 test::boundaryOf(sweep), [](double) { return false; }),
-    hexsweep::Aborted);
+  EXPECT_THROW(
+    boundaryErrorInterior(test::cageOf(sweep), [](double) { return false; }), hexsweep::Aborted);
 }

@@ -18,7 +18,7 @@ using test::Sweep;
 
 Points green(const Sweep& sweep)
 {
-  return hexsweep::greenInterior(sweep.source, sweep.target, sweep.quads, test::boundaryOf(sweep));
+  return hexsweep::greenInterior(test::cageOf(sweep));
 }
 
 /// Outward unit normals.

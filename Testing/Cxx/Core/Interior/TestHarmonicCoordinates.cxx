@@ -14,13 +14,7 @@ using test::Sweep;
 
 Points harmonic(const Sweep& sweep)
 {
-  return test::run(
-    [](const hexsweep::PointsRef& source, const hexsweep::PointsRef& target,
-      const hexsweep::QuadsRef& quads, const hexsweep::SweepBoundary& boundary,
-      const hexsweep::Progress& progress) {
-      return hexsweep::harmonicInterior(source, target, quads, boundary, progress);
-    },
-    sweep);
+  return test::run(hexsweep::harmonicInterior, sweep);
 }
 
 /// Coordinates of all cage vertices at all points.
@@ -189,12 +183,7 @@ TEST(HarmonicInterior, StraightAffineSweepsAreExact)
 
 TEST(HarmonicInterior, BoundaryIsKeptBitForBit)
 {
-  test::expectBoundaryBitForBit(
-    [](const hexsweep::PointsRef& source, const hexsweep::PointsRef& target,
-      const hexsweep::QuadsRef& quads, const hexsweep::SweepBoundary& boundary,
-      const hexsweep::Progress& progress) {
-      return hexsweep::harmonicInterior(source, target, quads, boundary, progress);
-    });
+  test::expectBoundaryBitForBit(hexsweep::harmonicInterior);
 }
 
 TEST(HarmonicInterior, UnusedPointsGoStraight)
@@ -228,7 +217,6 @@ TEST(HarmonicInterior, FarFromTheOrigin)
 TEST(HarmonicInterior, Aborts)
 {
   const Sweep sweep = bentSweep();
-  EXPECT_THROW(hexsweep::harmonicInterior(sweep.source, sweep.target, sweep.quads,
-                 test::boundaryOf(sweep), [](double) { return false; }),
+  EXPECT_THROW(hexsweep::harmonicInterior(test::cageOf(sweep), [](double) { return false; }),
     hexsweep::Aborted);
 }

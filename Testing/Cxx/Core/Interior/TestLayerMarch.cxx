@@ -135,7 +135,7 @@ TEST(LayerMarch, HalfWayItIsTheMeanOfOneStepFromEitherCap)
         .solve(error);
   };
   const Points expected = 0.5 * (stepFrom(sweep.source, 0) + stepFrom(sweep.target, 2));
-  const Points swept = layerMarchInterior(sweep.source, sweep.target, sweep.quads, boundary);
+  const Points swept = layerMarchInterior({ sweep.source, sweep.target, sweep.quads, boundary });
   const Index n = sweep.source.rows();
   EXPECT_LT(test::greatestDistance(swept.middleRows(n, n), expected), 1e-13);
 }
@@ -207,7 +207,7 @@ TEST(LayerMarch, ReportsProgressAndAborts)
   const Sweep sweep = test::makeSweep(6, 5, false, test::evenLayers(8), test::bendingMotion);
   const auto boundary = test::boundaryOf(sweep);
   std::vector<double> reported;
-  layerMarchInterior(sweep.source, sweep.target, sweep.quads, boundary, [&](double fraction) {
+  layerMarchInterior({ sweep.source, sweep.target, sweep.quads, boundary }, [&](double fraction) {
     reported.push_back(fraction);
     return true;
   });
@@ -215,7 +215,7 @@ TEST(LayerMarch, ReportsProgressAndAborts)
   EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
   EXPECT_GE(reported.front(), 0.0);
   EXPECT_EQ(reported.back(), 1.0);
-  EXPECT_THROW(layerMarchInterior(sweep.source, sweep.target, sweep.quads, boundary,
+  EXPECT_THROW(layerMarchInterior({ sweep.source, sweep.target, sweep.quads, boundary },
                  [](double fraction) { return fraction < 0.5; }),
     hexsweep::Aborted);
 }
@@ -234,7 +234,7 @@ TEST(LayerMarch, NamesTheLayerThatCannotBeCarriedOn)
   broken(inner, 1) = std::numeric_limits<double>::quiet_NaN();
   try
   {
-    layerMarchInterior(sweep.source, broken, sweep.quads, boundary);
+    layerMarchInterior({ sweep.source, broken, sweep.quads, boundary });
     FAIL() << "a cap that is not finite was carried on";
   }
   catch (const hexsweep::SolverFailure& failure)

@@ -15,8 +15,7 @@ using test::Sweep;
 
 Points meanValue(const Sweep& sweep)
 {
-  return hexsweep::meanValueInterior(
-    sweep.source, sweep.target, sweep.quads, test::boundaryOf(sweep));
+  return hexsweep::meanValueInterior(test::cageOf(sweep));
 }
 
 /// The pseudo-code of Ju, Schaefer, Warren (2005), figure 4, for points in no plane of a triangle.

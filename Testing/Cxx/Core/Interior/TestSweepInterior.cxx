@@ -16,17 +16,11 @@ using hexsweep::SweepCage;
 using test::Index;
 using test::Points;
 
-SweepCage cageOf(const test::Sweep& sweep)
-{
-  return { sweep.source, sweep.target, sweep.quads, test::boundaryOf(sweep) };
-}
+using test::cageOf;
 
 InteriorStart blend()
 {
-  return { "Blend", [](const SweepCage& cage, const Progress& progress) {
-            return hexsweep::blendInterior(
-              cage.source, cage.target, cage.quads, cage.boundary, progress);
-          } };
+  return { "Blend", hexsweep::blendInterior };
 }
 
 Index inner(const SweepCage& cage)
@@ -42,11 +36,12 @@ Index inner(const SweepCage& cage)
 /// Blend with an inner node of layer 3 thrown far away.
 InteriorStart spoilt()
 {
-  return { "Spoilt", [](const SweepCage& cage, const Progress& progress) {
-            Points points = blend().method(cage, progress);
-            points(3 * cage.source.rows() + inner(cage), 0) += 0.7;
-            return points;
-          } };
+  return { "Spoilt",
+    [](const SweepCage& cage, const Progress& progress, const hexsweep::ParallelFor&) {
+      Points points = blend().method(cage, progress, {});
+      points(3 * cage.source.rows() + inner(cage), 0) += 0.7;
+      return points;
+    } };
 }
 
 hexsweep::HexQualitySummary judge(const SweepCage& cage, const Points& points)
@@ -68,7 +63,7 @@ TEST(SweepInterior, AValidStartIsReturnedAsItIs)
   const SweepCage cage =
     cageOf(test::makeSweep(12, 9, true, test::evenLayers(6), test::bendingMotion));
   const auto result = hexsweep::sweepInterior(cage, { blend(), spoilt() }, unpolished());
-  EXPECT_EQ(result.points, blend().method(cage, {}));
+  EXPECT_EQ(result.points, blend().method(cage, {}, {}));
   EXPECT_EQ(result.method, "Blend");
   ASSERT_EQ(result.steps.size(), 1u);
   EXPECT_EQ(result.steps[0].notCertified, 0);
@@ -89,7 +84,7 @@ TEST(SweepInterior, WhatIsNotValidIsUntangled)
   raw.ensureValid = false;
   const auto left = hexsweep::sweepInterior(cage, { spoilt(), blend() }, raw);
   EXPECT_EQ(left.method, "Spoilt");
-  EXPECT_EQ(left.points, spoilt().method(cage, {}));
+  EXPECT_EQ(left.points, spoilt().method(cage, {}, {}));
 }
 
 TEST(SweepInterior, TheBestStartIsKept)
@@ -102,15 +97,16 @@ TEST(SweepInterior, TheBestStartIsKept)
     });
   sweep.target.row(inner(cageOf(sweep))) += Eigen::RowVector3d(0.4, 0.01, 0.0);
   const SweepCage cage = cageOf(sweep);
-  const InteriorStart collapsed{ "Collapsed", [](const SweepCage& c, const Progress&) {
-                                  Points points = Points::Zero(5 * c.source.rows(), 3);
-                                  hexsweep::setGivenPoints(
-                                    c.source, c.target, c.quads, c.boundary, points);
-                                  return points;
-                                } };
-  const InteriorStart failing{ "Failing", [](const SweepCage&, const Progress&) -> Points {
-                                throw hexsweep::SolverFailure("no solution");
-                              } };
+  const InteriorStart collapsed{ "Collapsed",
+    [](const SweepCage& c, const Progress&, const hexsweep::ParallelFor&) {
+      Points points = Points::Zero(5 * c.source.rows(), 3);
+      hexsweep::setGivenPoints(c.source, c.target, c.quads, c.boundary, points);
+      return points;
+    } };
+  const InteriorStart failing{ "Failing",
+    [](const SweepCage&, const Progress&, const hexsweep::ParallelFor&) -> Points {
+      throw hexsweep::SolverFailure("no solution");
+    } };
   const auto worth = [&](const std::vector<InteriorStart>& starts) {
     const auto result = hexsweep::sweepInterior(cage, starts, unpolished());
     const auto summary = judge(cage, result.points);

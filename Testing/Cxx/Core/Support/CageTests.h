@@ -111,18 +111,14 @@ void expectStraightAffineSweepsExact(const CageInterior& interior, double tolera
 
 /// Boundary bit for bit, unused points straight, the same bits in any order of the work, progress,
 /// aborts, no interior at all.
-using CageMethodInterior = Points (*)(const hexsweep::PointsRef&, const hexsweep::PointsRef&,
-  const hexsweep::QuadsRef&, const hexsweep::SweepBoundary&, const hexsweep::Progress&,
-  const hexsweep::ParallelFor&);
-
-inline void expectCageMethod(CageMethodInterior interior)
+inline void expectCageMethod(Interior interior)
 {
   Sweep sweep = makeSweep(12, 9, true, evenLayers(6), bendingMotion);
   const Index n = sweep.source.rows();
   const auto boundary = boundaryOf(sweep);
   const auto run = [&](
                      const hexsweep::ParallelFor& parallelFor, const hexsweep::Progress& progress) {
-    return interior(sweep.source, sweep.target, sweep.quads, boundary, progress, parallelFor);
+    return interior({ sweep.source, sweep.target, sweep.quads, boundary }, progress, parallelFor);
   };
   const Points swept = run({}, {});
   EXPECT_TRUE(swept.allFinite());

@@ -6,7 +6,7 @@
 #ifndef InteriorTests_h
 #define InteriorTests_h
 
-#include "Core/Interior/SweepBoundary.h"
+#include "Core/Interior/SweepCage.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "Support/SweepMeshes.h"
 
@@ -14,8 +14,8 @@
 
 namespace test
 {
-using Interior = Points (*)(const hexsweep::PointsRef&, const hexsweep::PointsRef&,
-  const hexsweep::QuadsRef&, const hexsweep::SweepBoundary&, const hexsweep::Progress&);
+using Interior = Points (*)(
+  const hexsweep::SweepCage&, const hexsweep::Progress&, const hexsweep::ParallelFor&);
 
 inline hexsweep::SweepBoundary boundaryOf(const Sweep& sweep)
 {
@@ -26,9 +26,14 @@ inline hexsweep::SweepBoundary boundaryOf(const Sweep& sweep)
     sweep.source, sweep.target, loops, rings, sweep.linkingPoints);
 }
 
+inline hexsweep::SweepCage cageOf(const Sweep& sweep)
+{
+  return { sweep.source, sweep.target, sweep.quads, boundaryOf(sweep) };
+}
+
 inline Points run(Interior interior, const Sweep& sweep)
 {
-  return interior(sweep.source, sweep.target, sweep.quads, boundaryOf(sweep), {});
+  return interior(cageOf(sweep), {}, {});
 }
 
 /// Diagonal of the sweep's box.
@@ -130,7 +135,7 @@ inline void expectUnusedPointsOnStraightLines(Interior interior)
   sweep.source.row(n) << 10, 20, 30;
   sweep.target.row(n) << 14, 20, 34;
   const auto boundary = boundaryOf(sweep);
-  const Points swept = interior(sweep.source, sweep.target, sweep.quads, boundary, {});
+  const Points swept = interior({ sweep.source, sweep.target, sweep.quads, boundary }, {}, {});
   for (Index k = 0; k <= 4; ++k)
   {
     const double t = boundary.fractions[static_cast<std::size_t>(k)];

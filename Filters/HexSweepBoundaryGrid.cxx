@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepBoundaryGrid.h"
 
+#include "Core/Solids/BoundaryQuads.h"
 #include "HexSweepArrays.h"
 #include "HexSweepWriter.h"
 

@@ -88,7 +88,7 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   }
   SweepInterior interior =
     sweepInterior(cage, interiorStarts(method), options, progressPart(progress, 0.0, 0.9));
-  stages.finish(interior.steps);
+  stages.finish(stagesOf(interior.steps));
   const Index layers = cage.boundary.numberOfLayers();
   const vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,
     cage.source.rows(), layers, interior.sourceIsBottom, progressPart(progress, 0.9, 0.91));

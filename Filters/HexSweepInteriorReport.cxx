@@ -7,10 +7,27 @@
 
 namespace hexsweep
 {
-void StageClock::report(vtkFieldData* fieldData) const
+std::vector<Stage> stagesOf(const std::vector<InteriorStep>& steps)
 {
-  addReport(fieldData, reports::Stages, this->Names);
-  addReport(fieldData, reports::Seconds, this->Seconds);
+  std::vector<Stage> stages;
+  for (const InteriorStep& step : steps)
+  {
+    stages.push_back({ step.name, step.seconds });
+  }
+  return stages;
+}
+
+void addStageReport(vtkFieldData* fieldData, const StageClock& clock)
+{
+  std::vector<std::string> names;
+  std::vector<double> seconds;
+  for (const Stage& stage : clock.stages())
+  {
+    names.push_back(stage.name);
+    seconds.push_back(stage.seconds);
+  }
+  addReport(fieldData, reports::Stages, names);
+  addReport(fieldData, reports::Seconds, seconds);
 }
 
 void addStepReport(

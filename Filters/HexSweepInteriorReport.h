@@ -6,9 +6,9 @@
 #ifndef HexSweepInteriorReport_h
 #define HexSweepInteriorReport_h
 
+#include "Core/Common/Stopwatch.h"
 #include "Core/Interior/SweepInterior.h"
 
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -16,37 +16,11 @@ class vtkFieldData;
 
 namespace hexsweep
 {
-/// Seconds of each stage of the work.
-class StageClock
-{
-public:
-  void finish(const std::string& stage)
-  {
-    const auto now = std::chrono::steady_clock::now();
-    this->Names.push_back(stage);
-    this->Seconds.push_back(std::chrono::duration<double>(now - this->Start).count());
-    this->Start = now;
-  }
+/// The time that each step took.
+std::vector<Stage> stagesOf(const std::vector<InteriorStep>& steps);
 
-  /// Work that was timed where it was done.
-  void finish(const std::vector<InteriorStep>& steps)
-  {
-    for (const InteriorStep& step : steps)
-    {
-      this->Names.push_back(step.name);
-      this->Seconds.push_back(step.seconds);
-    }
-    this->Start = std::chrono::steady_clock::now();
-  }
-
-  /// `SweepReportStages` and `SweepReportSeconds`.
-  void report(vtkFieldData* fieldData) const;
-
-private:
-  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
-  std::vector<std::string> Names;
-  std::vector<double> Seconds;
-};
+/// `SweepReportStages` and `SweepReportSeconds`.
+void addStageReport(vtkFieldData* fieldData, const StageClock& clock);
 
 /// What the cascade did, step by step, and what no interior could have done; nothing where nobody
 /// looked at the hexahedra on the way.

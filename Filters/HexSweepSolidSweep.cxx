@@ -27,16 +27,6 @@ namespace hexsweep
 {
 namespace
 {
-std::vector<InteriorStep> stagesOf(const SolidCage& cage)
-{
-  std::vector<InteriorStep> stages;
-  for (const auto& [name, seconds] : cage.seconds)
-  {
-    stages.push_back({ name, 0, 0, seconds });
-  }
-  return stages;
-}
-
 void addReports(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology,
   const std::string& quadsFrom, vtkFieldData* fieldData)
 {
@@ -168,7 +158,7 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
     settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION, settings.hexes.ensureValid,
     settings.hexes.improveQuality };
   const SolidCage cage = makeSolidCage(cageInput, progressPart(progress, 0.1, 0.48));
-  stages.finish(stagesOf(cage));
+  stages.finish(cage.stages);
   if (!settings.targetIsNamed)
   {
     checkFoundTarget(cage.boundary, topology.targetFaceIds);

@@ -105,7 +105,7 @@ int vtkCageHexInterior::RequestData(
         hexsweep::pipelineProgress(this, 0.99, 1.0), vtkUnstructuredGrid::GetData(outputs, 1));
     }
     clock.finish("Output");
-    clock.report(fieldData);
+    hexsweep::addStageReport(fieldData, clock);
     for (const std::string& warning : hexes.warnings)
     {
       vtkWarningMacro(<< warning);

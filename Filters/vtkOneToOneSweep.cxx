@@ -226,7 +226,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
     warnings = sweep(choice.sweeps.front(), hexes, boundary).warnings;
   }
   addReport(hexes->GetFieldData(), reports::Candidates, describeRanking(choice.ranking));
-  clock.report(hexes->GetFieldData());
+  addStageReport(hexes->GetFieldData(), clock);
   for (const std::string& warning : warnings)
   {
     if (!warning.empty())

@@ -3,30 +3,18 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Common/IdRange.h"
+#include "Core/Common/Stopwatch.h"
 #include "Core/Hexahedra/HexPolishing.h"
 #include "Core/Interior/SweptBoxes.h"
 #include "Core/Interior/SweptHexes.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
 namespace hexsweep
 {
 namespace
 {
-class Stopwatch
-{
-public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
-};
-
 struct Candidate
 {
   Points points;

@@ -3,17 +3,13 @@
 
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
-#include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Interior/RingCollapse.h"
 #include "Core/Linking/LinkingRings.h"
 #include "Core/Surfaces/SurfacePart.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace hexsweep
@@ -130,26 +126,6 @@ double distanceFromCap(const QuadMesh& quads, const TriangleMesh& cap)
   }
   return greatest;
 }
-
-class Stages
-{
-public:
-  explicit Stages(std::vector<std::pair<std::string, double>>& seconds)
-    : Seconds(seconds)
-  {
-  }
-
-  void finish(const char* name)
-  {
-    const auto now = std::chrono::steady_clock::now();
-    this->Seconds.emplace_back(name, std::chrono::duration<double>(now - this->Start).count());
-    this->Start = now;
-  }
-
-private:
-  std::vector<std::pair<std::string, double>>& Seconds;
-  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
-};
 }
 
 SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
@@ -165,7 +141,7 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
       ". Mesh the whole source cap with quads, and leave out each of its holes.");
   }
   SolidCage cage;
-  Stages stages(cage.seconds);
+  StageClock stages;
   cage.loops = topology.loops;
   const SurfacePart source = partOf(input.solid, input.topology.sourceTriangles);
   const SurfacePart target = partOf(input.solid, input.topology.targetTriangles);
@@ -197,86 +173,7 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
     gatherSweepBoundary(cage.source, cage.target, cage.loops, rings, cage.linking.mesh.points);
   checkRings(cage.boundary, cage.loops);
   stages.finish("Cage");
+  cage.stages = stages.stages();
   return cage;
-}
-
-std::vector<BoundaryQuad> boundaryQuads(
-  const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology)
-{
-  const Index n = cage.source.rows();
-  const Index m = cage.quads.rows();
-  const Index layers = cage.linking.layers;
-  std::vector<BoundaryQuad> result;
-  result.reserve(at(2 * m + cage.linking.mesh.quads.rows()));
-
-  const auto turnAlong = [&](BoundaryQuad& quad, const Eigen::RowVector3d(&p)[4]) {
-    const Index* corners = &solid.triangles(quad.triangle, 0);
-    const Eigen::RowVector3d a = solid.points.row(corners[0]);
-    const Eigen::RowVector3d normal =
-      (solid.points.row(corners[1]) - a).cross(solid.points.row(corners[2]) - a);
-    if ((p[2] - p[0]).cross(p[3] - p[1]).dot(normal) < 0.0)
-    {
-      std::swap(quad.points[1], quad.points[3]);
-    }
-  };
-  const auto addCap = [&](const Points& points, const std::vector<Index>& triangles, Index layer) {
-    const SurfacePart part = partOf(solid, triangles);
-    const TriangleSearch search(part.mesh.points, part.mesh.triangles);
-    Index near = -1;
-    for (Index q = 0; q < m; ++q)
-    {
-      Eigen::RowVector3d p[4];
-      BoundaryQuad quad{};
-      for (Index c = 0; c < 4; ++c)
-      {
-        p[c] = points.row(cage.quads(q, c));
-        quad.points[at(c)] = layer * n + cage.quads(q, c);
-      }
-      near = search.closest(0.25 * (p[0] + p[1] + p[2] + p[3]), near).triangle;
-      quad.triangle = triangles[at(near)];
-      quad.hex = layer == 0 ? q : (layers - 1) * m + q;
-      quad.face = layer == 0 ? 4 : 5;
-      turnAlong(quad, p);
-      result.push_back(quad);
-    }
-  };
-  addCap(cage.source, topology.sourceTriangles, 0);
-  addCap(cage.target, topology.targetTriangles, layers);
-
-  // By point of a loop: the quad at the edge to the next one, and the number of that edge. Loops
-  // run the way of the quads.
-  const std::vector<Index> next = nextOnLoops(cage.loops, n);
-  std::vector<std::pair<Index, int>> sideOf(at(n));
-  for (Index q = 0; q < m; ++q)
-  {
-    for (Index c = 0; c < 4; ++c)
-    {
-      if (next[at(cage.quads(q, c))] == cage.quads(q, (c + 1) % 4))
-      {
-        sideOf[at(cage.quads(q, c))] = { q, static_cast<int>(c) };
-      }
-    }
-  }
-  for (Index q = 0; q < cage.linking.mesh.quads.rows(); ++q)
-  {
-    const auto corners = cage.linking.mesh.quads.row(q);
-    const Index layer = cage.linking.quadLayer[at(q)];
-    BoundaryQuad quad{};
-    Eigen::RowVector3d p[4];
-    for (Index c = 0; c < 4; ++c)
-    {
-      const Index node = corners[c];
-      quad.points[at(c)] = cage.linking.nodeRing[at(node)] * n + cage.linking.sourcePoint[at(node)];
-      p[c] = cage.linking.mesh.points.row(node);
-    }
-    const auto [hex, side] = sideOf[at(cage.linking.sourcePoint[at(corners[0])])];
-    quad.hex = layer * m + hex;
-    quad.face = side;
-    quad.triangle = topology.sides[at(cage.linking.quadSide[at(q)])]
-                      .triangles[at(cage.linking.quadTriangle[at(q)])];
-    turnAlong(quad, p);
-    result.push_back(quad);
-  }
-  return result;
 }
 }

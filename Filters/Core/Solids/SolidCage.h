@@ -8,13 +8,11 @@
 #define hexsweep_SolidCage_h
 
 #include "Core/CapQuads/SweepProjection.h"
+#include "Core/Common/Stopwatch.h"
 #include "Core/Interior/SweepInterior.h"
 #include "Core/Linking/LinkingSides.h"
 #include "Core/Solids/SolidSurface.h"
 #include "Core/Solids/SweepTopology.h"
-
-#include <array>
-#include <utility>
 
 namespace hexsweep
 {
@@ -32,24 +30,13 @@ struct SolidCageInput
   bool improveQuality = true;   ///< see SweepProjectionInput
 };
 
-/// A quad of the boundary of the swept mesh.
-struct BoundaryQuad
-{
-  std::array<Index, 4> points; ///< of the swept mesh, seen from outside the same way round as...
-  Index triangle;              ///< ...this triangle of the solid, which is below its middle
-  Index hex;                   ///< of sweptHexes()
-  /// Which face of the hexahedron: 0 to 3 the sides over the edges of its quad, 4 the quad on the
-  /// layer that is nearer to the source, 5 the other one.
-  int face;
-};
-
 struct SolidCage : SweepCage
 {
-  std::vector<Loop> loops;                             ///< of the quads
-  LinkingMesh linking;                                 ///< see meshLinkingSides()
-  SweepProjection projection;                          ///< see projectSweep()
-  double greatestDistance = 0.0;                       ///< of a source point from the source cap
-  std::vector<std::pair<std::string, double>> seconds; ///< of each stage
+  std::vector<Loop> loops;       ///< of the quads
+  LinkingMesh linking;           ///< see meshLinkingSides()
+  SweepProjection projection;    ///< see projectSweep()
+  double greatestDistance = 0.0; ///< of a source point from the source cap
+  std::vector<Stage> stages;
 };
 
 /**
@@ -57,13 +44,6 @@ struct SolidCage : SweepCage
  *        cannot be meshed or collapses; SolverFailure; Aborted.
  */
 SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress = {});
-
-/**
- * The boundary of the swept mesh: source quads, target quads, then the linking sides in the order
- * of SolidCage::linking.
- */
-std::vector<BoundaryQuad> boundaryQuads(
-  const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology);
 }
 
 #endif

@@ -170,8 +170,7 @@ inline void expectCageMethod(Interior interior)
     const double side = grid.x() < 0.6 ? 0.0 : 1.0;
     return Eigen::RowVector3d(grid + side * Eigen::RowVector3d(-1.0 / 6, 0, 0.5));
   });
-  EXPECT_TRUE(
-    interior(stair.source, stair.target, stair.quads, boundaryOf(stair), {}, {}).allFinite());
+  EXPECT_TRUE(interior(cageOf(stair), {}, {}).allFinite());
 
   const Sweep oneLayer = makeSweep(6, 5, false, evenLayers(1), bendingMotion);
   EXPECT_EQ(interior(cageOf(oneLayer), {}, {}), oneLayer.layers);

@@ -34,12 +34,11 @@ CageInput readCage(vtkDataSet* sourceQuads, vtkDataSet* targetQuads, vtkDataSet*
   checkSameQuads(source.mesh.quads, target.mesh.quads);
 
   reportProgress(progress, 0.6);
-  const LinkingRings rings = traceLinkingRings(
+  const RingStack rings = traceLinkingRings(
     source.mesh.points, topology.loops, linking.points, linking.quads, matchTolerance);
-  matchTargetLoops(target.mesh.points, topology.loops, rings, linking.points, matchTolerance);
+  matchTargetLoops(target.mesh.points, rings, matchTolerance);
   reportProgress(progress, 0.8);
-  cage.boundary = gatherSweepBoundary(
-    source.mesh.points, target.mesh.points, topology.loops, rings, linking.points);
+  cage.boundary = gatherSweepBoundary(source.mesh.points, target.mesh.points, rings);
   checkRings(cage.boundary, topology.loops);
   cage.quads = std::move(source.mesh.quads);
   cage.source = std::move(source.mesh.points);

@@ -51,7 +51,7 @@ std::vector<std::string> linkingWarnings(const LinkingMesh& linking)
 
 void addLinkingReport(vtkFieldData* fieldData, const LinkingMesh& linking)
 {
-  addReport(fieldData, reports::Layers, linking.layers);
+  addReport(fieldData, reports::Layers, linking.rings.numberOfLayers());
   addReport(fieldData, reports::KeptEdges, linking.keptEdges);
   addReport(fieldData, reports::LostEdges, static_cast<Index>(linking.lostEdges.size()));
   addReport(fieldData, reports::MeanColumnLength, linking.meanColumnLength);

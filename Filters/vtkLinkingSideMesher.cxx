@@ -82,12 +82,13 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
 
   auto* output = vtkUnstructuredGrid::GetData(outputs);
   output->SetPoints(
-    vtkSmartPointer<vtkPoints>::Take(newPoints(linking.mesh.points, this->OutputPointsPrecision)));
-  setCells(output, linking.mesh.quads, VTK_QUAD);
+    vtkSmartPointer<vtkPoints>::Take(newPoints(linking.rings.points, this->OutputPointsPrecision)));
+  setCells(output, linking.quads, VTK_QUAD);
   addIds(output->GetPointData(), arrays::SourcePointIds, linking.sourcePoint);
   addIds(output->GetPointData(), arrays::SweepLayer, linking.nodeRing);
   addIds(output->GetCellData(), arrays::SweepLayer, linking.quadLayer);
-  addIds(output->GetCellData(), arrays::LoopId, loopsOfQuads(topology.loops, linking.layers));
+  addIds(output->GetCellData(), arrays::LoopId,
+    loopsOfQuads(topology.loops, linking.rings.numberOfLayers()));
   std::vector<Index> faceIds;
   for (std::size_t q = 0; q < linking.quadSide.size(); ++q)
   {
@@ -101,8 +102,9 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   std::vector<std::string> warnings = linkingWarnings(linking);
   if (vtkDataSet* target = inputDataSet(inputs, 2))
   {
-    warnings.push_back(describeMissedTarget(linking.mesh.points, topology.loops, linking.layers,
-      readTriangles(target, "target surface").mesh, this->MatchTolerance));
+    warnings.push_back(
+      describeMissedTarget(linking.rings.points, topology.loops, linking.rings.numberOfLayers(),
+        readTriangles(target, "target surface").mesh, this->MatchTolerance));
   }
   for (const std::string& warning : warnings)
   {

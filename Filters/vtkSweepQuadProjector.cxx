@@ -3,6 +3,8 @@
 
 #include "Core/CapQuads/SweepProjection.h"
 #include "Core/Common/Errors.h"
+#include "Core/Linking/LinkingRings.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepArrays.h"
 #include "HexSweepCapDiskGrid.h"
 #include "HexSweepProjectionReport.h"
@@ -55,7 +57,6 @@ Caps readCaps(const Ports& ports)
   Caps caps;
   QuadInput quads = readQuads(ports.source, "source quads");
   TriangleInput target = readTriangles(ports.target, "target surface");
-  caps.input.linking = readOptionalQuads(ports.linking, "linking sides");
   if (ports.sourceSurface)
   {
     TriangleInput surface = readTriangles(ports.sourceSurface, "source surface");
@@ -78,6 +79,20 @@ Caps readCaps(const Ports& ports)
   caps.quadCells = std::move(quads.cellIds);
   caps.ignoredCells = quads.ignoredCells;
   return caps;
+}
+
+/// The rings of the linking sides, where there are any.
+void traceRings(vtkDataSet* linkingSides, SweepProjectionInput& input)
+{
+  if (const auto linking = readOptionalQuads(linkingSides, "linking sides"))
+  {
+    const QuadMesh& source = input.source;
+    const SurfaceTopology topology =
+      checkSurface(source.quads, source.points.rows(), "source quads");
+    checkCap(topology, "source quads");
+    input.linking = traceLinkingRings(
+      source.points, topology.loops, linking->points, linking->quads, input.matchTolerance);
+  }
 }
 
 void readDisks(const Ports& ports, SweepProjectionInput& input)
@@ -196,6 +211,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
       checkAreas(caps);
     }
   }
+  traceRings(ports.linking, input);
   const SweepProjection projection = projectSweep(input, pipelineProgress(this, 0.1, 0.9));
 
   auto* output = vtkUnstructuredGrid::GetData(outputs, 0);

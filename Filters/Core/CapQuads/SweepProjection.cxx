@@ -6,7 +6,6 @@
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/SurfaceSearch.h"
 #include "Core/Geometry/TriangleSearch.h"
-#include "Core/Linking/LinkingRings.h"
 #include "Core/Linking/LoopMatching.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 
@@ -93,13 +92,17 @@ Boundary placeBoundary(
   Boundary boundary;
   if (input.linking)
   {
-    const LinkingRings rings = traceLinkingRings(input.source.points, loops, input.linking->points,
-      input.linking->quads, input.matchTolerance);
+    const RingStack& rings = *input.linking;
+    if (rings.loops != loops)
+    {
+      throw InvalidInput("the rings of the linking sides belong to other source quads. Trace them "
+                         "from the loops of these.");
+    }
     for (std::size_t l = 0; l < loops.size(); ++l)
     {
       const Index layers = rings.numberOfLayers();
-      const Points last = ringPoints(rings, input.linking->points, l, layers);
-      const Points above = ringPoints(rings, input.linking->points, l, layers - 1);
+      const Points last = ringPoints(rings, l, layers);
+      const Points above = ringPoints(rings, l, layers - 1);
       for (std::size_t j = 0; j < loops[l].size(); ++j)
       {
         const Index row = static_cast<Index>(j);
@@ -373,7 +376,7 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
       linked.pairs = boundary.shapePairs;
       if (input.linking)
       {
-        linked = link(source, target, *input.linking, input.matchTolerance, names);
+        linked = linkLoops(*input.linking);
       }
       const Progress mapping = progressPart(progress, 0.05, 0.6);
       CommonDisks disks;

@@ -29,8 +29,8 @@ struct SweepProjectionInput
 {
   QuadMesh source;     ///< consistently oriented
   TriangleMesh target; ///< any orientation
-  /// Structured quads between the caps, any orientation. Without them loops are matched by shape.
-  std::optional<QuadMesh> linking;
+  /// The rings from the source's loops to the target's. Without them loops are matched by shape.
+  std::optional<RingStack> linking;
   /// Triangulation of the source cap; without it the quads' own, halved along shorter diagonals.
   std::optional<TriangleMesh> sourceSurface;
   /// Disk maps of both caps that were made before, to be used as they are.

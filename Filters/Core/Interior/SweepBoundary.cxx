@@ -42,12 +42,12 @@ void measureColumns(SweepBoundary& boundary)
 }
 }
 
-SweepBoundary gatherSweepBoundary(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const std::vector<Loop>& sourceLoops, const LinkingRings& rings, const PointsRef& linkingPoints)
+SweepBoundary gatherSweepBoundary(
+  const PointsRef& sourcePoints, const PointsRef& targetPoints, const RingStack& rings)
 {
   SweepBoundary boundary;
   double largestArea = -1.0;
-  for (const Loop& loop : sourceLoops)
+  for (const Loop& loop : rings.loops)
   {
     const double area = areaVector(rowsOf(sourcePoints, loop)).norm();
     if (area > largestArea)
@@ -64,9 +64,9 @@ SweepBoundary gatherSweepBoundary(const PointsRef& sourcePoints, const PointsRef
   {
     Points ring(static_cast<Index>(boundary.nodes.size()), 3);
     Index row = 0;
-    for (std::size_t l = 0; l < sourceLoops.size(); ++l)
+    for (std::size_t l = 0; l < rings.loops.size(); ++l)
     {
-      const Points part = ringPoints(rings, linkingPoints, l, k);
+      const Points part = ringPoints(rings, l, k);
       ring.middleRows(row, part.rows()) = part;
       row += part.rows();
     }

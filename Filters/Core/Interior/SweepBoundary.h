@@ -8,7 +8,7 @@
 
 #include "Core/Common/Mesh.h"
 #include "Core/Geometry/AffineMap.h"
-#include "Core/Linking/LinkingRings.h"
+#include "Core/Linking/RingStack.h"
 
 namespace hexsweep
 {
@@ -36,11 +36,10 @@ struct SweepBoundary
  * Collects loop nodes and rings.
  *
  * @param sourcePoints, targetPoints n x 3, same order.
- * @param sourceLoops, rings, linkingPoints as given to and returned by traceLinkingRings().
  * @throw InvalidInput when source and target loops coincide (a volume without height).
  */
-SweepBoundary gatherSweepBoundary(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const std::vector<Loop>& sourceLoops, const LinkingRings& rings, const PointsRef& linkingPoints);
+SweepBoundary gatherSweepBoundary(
+  const PointsRef& sourcePoints, const PointsRef& targetPoints, const RingStack& rings);
 
 /// Least-squares affine map of the loop nodes from layer `from` to layer `to` (fitAffineMap()).
 AffineMap fitLayerMap(const SweepBoundary& boundary, Index from, Index to);

@@ -200,6 +200,26 @@ CapBoundary splitAtUnion(TriangleMesh mesh, const AttachedLoops& attached,
   return cap;
 }
 
+/// The ends of a side as its quads give them: from the least id on, in the way of the first quad.
+LoopPair pairFrom(const RingStack& rings, std::size_t side, bool fromSecond)
+{
+  const RingTable& table = rings.tables[side];
+  const Index n = table.cols();
+  const Index begin = fromSecond ? rings.numberOfLayers() : 0;
+  const Index end = rings.numberOfLayers() - begin;
+  Index column = 0;
+  table.row(begin).minCoeff(&column);
+  // The two ends of an oriented side run against each other.
+  const Index step = rings.turned[side] != fromSecond ? n - 1 : 1;
+  LoopPair pair{ Points(n, 3), Points(n, 3) };
+  for (Index j = 0; j < n; ++j, column = (column + step) % n)
+  {
+    pair.first.row(j) = rings.points.row(table(begin, column));
+    pair.second.row(j) = rings.points.row(table(end, column));
+  }
+  return pair;
+}
+
 double farthest(const std::vector<RingOnCap>& found)
 {
   double distance = 0.0;
@@ -220,6 +240,28 @@ std::vector<LoopPair> outerFirst(std::vector<LoopPair> pairs)
     [&](const LoopPair& a, const LoopPair& b) { return length(a) < length(b); });
   std::rotate(pairs.begin(), outer, outer + 1);
   return pairs;
+}
+
+LinkedLoops linkLoops(const RingStack& rings)
+{
+  const Index last = rings.numberOfLayers();
+  std::vector<std::pair<Index, std::size_t>> firstOnes; // least id of a ring at the first cap, side
+  std::vector<std::pair<Index, std::size_t>> secondOnes;
+  for (std::size_t l = 0; l < rings.tables.size(); ++l)
+  {
+    firstOnes.emplace_back(rings.tables[l].row(0).minCoeff(), l);
+    secondOnes.emplace_back(rings.tables[l].row(last).minCoeff(), l);
+  }
+  std::sort(firstOnes.begin(), firstOnes.end());
+  std::sort(secondOnes.begin(), secondOnes.end());
+  LinkedLoops linked;
+  linked.swapped = secondOnes < firstOnes;
+  for (const auto& [id, side] : linked.swapped ? secondOnes : firstOnes)
+  {
+    linked.pairs.push_back(pairFrom(rings, side, linked.swapped));
+  }
+  linked.pairs = outerFirst(std::move(linked.pairs));
+  return linked;
 }
 
 LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstLoops,
@@ -254,12 +296,11 @@ LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstL
       " lie at one cap and " + std::to_string(topology.loops.size() - starts.size()) +
       " at the other. Check that the linking sides lead from one of the two caps to the other.");
   }
-  const LinkingRings rings =
-    traceLinkingRings(linkingPoints, starts, linkingPoints, quads, matchTolerance);
+  const RingStack rings = walkLinkingRings(linkingPoints, quads, starts);
   for (std::size_t l = 0; l < starts.size(); ++l)
   {
-    linked.pairs.push_back({ ringPoints(rings, linkingPoints, l, 0),
-      ringPoints(rings, linkingPoints, l, rings.numberOfLayers()) });
+    linked.pairs.push_back(
+      { ringPoints(rings, l, 0), ringPoints(rings, l, rings.numberOfLayers()) });
   }
   linked.pairs = outerFirst(std::move(linked.pairs));
   return linked;

@@ -7,7 +7,7 @@
 #ifndef hexsweep_CapBoundary_h
 #define hexsweep_CapBoundary_h
 
-#include "Core/Common/Mesh.h"
+#include "Core/Linking/RingStack.h"
 
 #include <string>
 
@@ -40,7 +40,15 @@ struct LinkedLoops
 };
 
 /**
- * Pairs the loops of two caps by the linking sides.
+ * Pairs the loops of two caps, the source being the first, by the rings between them: a look-up.
+ *
+ * The same pairs as those of the linking quads that the rings are of, see below.
+ */
+LinkedLoops linkLoops(const RingStack& rings);
+
+/**
+ * Pairs the loops of two caps by the quads of the linking sides, where no cap is known to be the
+ * source.
  *
  * Which cap counts as first, which node as the first of a loop, and the order of loops depend on
  * the linking sides alone, so that (a, b) and (b, a) give the same pairs.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace hexsweep
 {
@@ -66,21 +67,81 @@ FirstRing matchLoop(const PointsRef& sourcePoints, const Loop& loop, std::size_t
   return ring;
 }
 
-void checkSameLayers(const LinkingRings& rings)
+void checkSameLayers(const RingStack& rings)
 {
-  for (std::size_t l = 1; l < rings.loops.size(); ++l)
+  for (std::size_t l = 1; l < rings.tables.size(); ++l)
   {
-    if (rings.loops[l].rows() != rings.loops[0].rows())
+    if (rings.tables[l].rows() != rings.tables[0].rows())
     {
       throw InvalidInput("the linking sides have " + std::to_string(rings.numberOfLayers()) +
-        " layers at loop 0 but " + std::to_string(rings.loops[l].rows() - 1) + " at loop " +
+        " layers at loop 0 but " + std::to_string(rings.tables[l].rows() - 1) + " at loop " +
         std::to_string(l) + ". Give all loops the same number of layers.");
     }
   }
 }
+
+/// For each side whether its first quad runs against the ring, see RingStack::turned.
+std::vector<bool> turnedSides(const RingStack& rings, const Quads& quads)
+{
+  struct Place
+  {
+    std::size_t side;
+    Index ring;
+    Index column;
+  };
+  std::vector<Place> places(static_cast<std::size_t>(rings.points.rows()));
+  for (std::size_t l = 0; l < rings.tables.size(); ++l)
+  {
+    const RingTable& table = rings.tables[l];
+    for (Index k = 0; k < table.rows(); ++k)
+    {
+      for (Index j = 0; j < table.cols(); ++j)
+      {
+        places[static_cast<std::size_t>(table(k, j))] = { l, k, j };
+      }
+    }
+  }
+  const auto placeOf = [&](Index q, Index c) -> const Place& {
+    return places[static_cast<std::size_t>(quads(q, c % 4))];
+  };
+  std::vector<bool> turned(rings.tables.size(), false);
+  std::vector<bool> seen(rings.tables.size(), false);
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    const std::size_t side = placeOf(q, 0).side;
+    for (Index c = 0; !seen[side] && c < 4; ++c)
+    {
+      const Place& from = placeOf(q, c);
+      const Place& to = placeOf(q, c + 1);
+      if (from.ring == to.ring && placeOf(q, c + 2).ring > from.ring)
+      {
+        turned[side] = to.column != (from.column + 1) % rings.tables[side].cols();
+        seen[side] = true;
+      }
+    }
+  }
+  return turned;
 }
 
-LinkingRings traceLinkingRings(const PointsRef& sourcePoints, const std::vector<Loop>& sourceLoops,
+/// @param quads with welded seams.
+RingStack walkFrom(const PointsRef& points, const Quads& quads, const QuadNeighbors& neighbors,
+  const std::vector<Loop>& firstRings)
+{
+  RingStack rings;
+  rings.points = points;
+  RingWalk walk(points, quads, neighbors);
+  for (std::size_t l = 0; l < firstRings.size(); ++l)
+  {
+    rings.tables.push_back(walk.walk(firstRings[l], l));
+  }
+  checkSameLayers(rings);
+  walk.checkAllSeen();
+  rings.turned = turnedSides(rings, quads);
+  return rings;
+}
+}
+
+RingStack traceLinkingRings(const PointsRef& sourcePoints, const std::vector<Loop>& sourceLoops,
   const PointsRef& linkingPoints, const QuadsRef& linkingQuads, double matchTolerance)
 {
   if (!(matchTolerance >= 0.0 && matchTolerance < 0.5))
@@ -105,46 +166,46 @@ LinkingRings traceLinkingRings(const PointsRef& sourcePoints, const std::vector<
   const std::vector<Index> candidates = neighbors.boundary();
   const PointGrid grid(linkingPoints, candidates, largestRadius);
 
-  LinkingRings rings;
-  RingWalk walk(linkingPoints, quads, neighbors);
+  std::vector<Loop> firstRings;
+  double maximumDistance = 0.0;
+  Index snapped = 0;
   for (std::size_t l = 0; l < sourceLoops.size(); ++l)
   {
-    const FirstRing first = matchLoop(sourcePoints, sourceLoops[l], l, linkingPoints, candidates,
-      grid, matchTolerance, roundingError);
-    rings.loops.push_back(walk.walk(first.nodes, l));
-    rings.maximumMatchDistance = std::max(rings.maximumMatchDistance, first.maximumDistance);
-    rings.snapped += first.snapped;
+    FirstRing first = matchLoop(sourcePoints, sourceLoops[l], l, linkingPoints, candidates, grid,
+      matchTolerance, roundingError);
+    firstRings.push_back(std::move(first.nodes));
+    maximumDistance = std::max(maximumDistance, first.maximumDistance);
+    snapped += first.snapped;
   }
-  checkSameLayers(rings);
-  walk.checkAllSeen();
+  RingStack rings = walkFrom(linkingPoints, quads, neighbors, firstRings);
+  rings.loops = sourceLoops;
+  rings.maximumMatchDistance = maximumDistance;
+  rings.snapped = snapped;
   return rings;
 }
 
-Points ringPoints(
-  const LinkingRings& rings, const PointsRef& linkingPoints, std::size_t loop, Index ring)
+RingStack walkLinkingRings(
+  const PointsRef& linkingPoints, const Quads& welded, const std::vector<Loop>& firstRings)
 {
-  const RingTable& table = rings.loops.at(loop);
-  Points points(table.cols(), 3);
-  for (Index j = 0; j < table.cols(); ++j)
-  {
-    points.row(j) = linkingPoints.row(table(ring, j));
-  }
-  return points;
+  RingStack rings =
+    walkFrom(linkingPoints, welded, QuadNeighbors(linkingPoints, welded), firstRings);
+  rings.loops = firstRings;
+  return rings;
 }
 
-TargetMatch matchTargetLoops(const PointsRef& targetPoints, const std::vector<Loop>& sourceLoops,
-  const LinkingRings& rings, const PointsRef& linkingPoints, double matchTolerance)
+TargetMatch matchTargetLoops(
+  const PointsRef& targetPoints, const RingStack& rings, double matchTolerance)
 {
   const double roundingError =
-    std::max(singlePrecisionError(targetPoints), singlePrecisionError(linkingPoints));
+    std::max(singlePrecisionError(targetPoints), singlePrecisionError(rings.points));
   TargetMatch match;
   Index apart = 0;
   double worst = 0.0;
   std::string where;
-  for (std::size_t l = 0; l < sourceLoops.size(); ++l)
+  for (std::size_t l = 0; l < rings.loops.size(); ++l)
   {
-    const Loop& loop = sourceLoops[l];
-    const Points ring = ringPoints(rings, linkingPoints, l, rings.numberOfLayers());
+    const Loop& loop = rings.loops[l];
+    const Points ring = ringPoints(rings, l, rings.numberOfLayers());
     const std::vector<double> edgeLength = loopEdgeLengths(targetPoints, loop);
     for (std::size_t j = 0; j < loop.size(); ++j)
     {

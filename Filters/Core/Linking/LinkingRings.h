@@ -6,36 +6,15 @@
  * The linking sides of a swept volume are structured quads between a loop of the source cap and
  * the same loop of the target cap (step 3 of the introduction of Cai and Tautges, "Robust
  * One-to-One Sweeping with Harmonic S-T Mappings and Cages", 22nd International Meshing
- * Roundtable, 2013). Ring k is the closed node row of layer k: ring 0 lies on the source loop,
- * ring L on the target loop. A column is the node path that leads from one to the other.
+ * Roundtable, 2013).
  */
 #ifndef hexsweep_LinkingRings_h
 #define hexsweep_LinkingRings_h
 
-#include "Core/Linking/RingTable.h"
+#include "Core/Linking/RingStack.h"
 
 namespace hexsweep
 {
-/// The linking nodes by loop, ring and column.
-struct LinkingRings
-{
-  /// One table a source loop, (numberOfLayers() + 1) x (nodes of the loop). Where linking points
-  /// coincide along a seam, the id is the smallest one.
-  std::vector<RingTable> loops;
-
-  /// Greatest distance between a source loop node and the linking node that it was matched to.
-  double maximumMatchDistance = 0.0;
-
-  /// Number of loop nodes whose linking node is not at bit for bit the same place.
-  Index snapped = 0;
-
-  /// L >= 1 (0 when there is no loop).
-  Index numberOfLayers() const
-  {
-    return this->loops.empty() ? 0 : static_cast<Index>(this->loops.front().rows()) - 1;
-  }
-};
-
 /**
  * Walks over the linking quads from the source loops to the far end.
  *
@@ -56,16 +35,16 @@ struct LinkingRings
  *        node, an edge of a ring has no quad (a hole), the quads are not structured, the loops
  *        have different numbers of layers, or quads are left over.
  */
-LinkingRings traceLinkingRings(const PointsRef& sourcePoints, const std::vector<Loop>& sourceLoops,
+RingStack traceLinkingRings(const PointsRef& sourcePoints, const std::vector<Loop>& sourceLoops,
   const PointsRef& linkingPoints, const QuadsRef& linkingQuads, double matchTolerance = 1e-6);
 
 /**
- * Coordinates of one ring, one row a column, in the order of the nodes of the source loop.
+ * The same for quads whose seams are welded (weldLinkingSeams()), from first rings that are known.
  *
- * @param ring in [0, numberOfLayers()].
+ * @param firstRings linking point ids, one a loop; they become RingStack::loops.
  */
-Points ringPoints(
-  const LinkingRings& rings, const PointsRef& linkingPoints, std::size_t loop, Index ring);
+RingStack walkLinkingRings(
+  const PointsRef& linkingPoints, const Quads& welded, const std::vector<Loop>& firstRings);
 
 /// What matchTargetLoops() found.
 struct TargetMatch
@@ -83,12 +62,11 @@ struct TargetMatch
  * ring L on the column of source point i must coincide with target point i.
  *
  * @param targetPoints   n x 3, row i belongs to source point i.
- * @param sourceLoops    the loops that traceLinkingRings() was given.
  * @param matchTolerance as for traceLinkingRings().
  * @throw InvalidInput with the number of nodes that differ, the greatest distance, and its place.
  */
-TargetMatch matchTargetLoops(const PointsRef& targetPoints, const std::vector<Loop>& sourceLoops,
-  const LinkingRings& rings, const PointsRef& linkingPoints, double matchTolerance = 1e-6);
+TargetMatch matchTargetLoops(
+  const PointsRef& targetPoints, const RingStack& rings, double matchTolerance = 1e-6);
 }
 
 #endif

@@ -274,30 +274,30 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
   const std::vector<double> fractions = request.positions.empty()
     ? layerFractions(layers, request.growth, request.bothEnds)
     : layerFractions(request.positions);
-  result.layers = static_cast<Index>(fractions.size()) - 1;
+  const Index count = static_cast<Index>(fractions.size()) - 1;
 
-  result.mesh.points.resize((result.layers + 1) * nodes, 3);
-  result.mesh.quads.resize(result.layers * nodes, 4);
+  Points points((count + 1) * nodes, 3);
+  result.quads.resize(count * nodes, 4);
   Index row = 0;
   Index quad = 0;
   for (std::size_t l = 0; l < rings.size(); ++l)
   {
     const SideTubeMesh side = columns[l].mesh(fractions);
     const Index n = columns[l].size();
-    result.mesh.points.middleRows(row, side.nodes.rows()) = side.nodes;
-    for (Index k = 0; k <= result.layers; ++k)
+    points.middleRows(row, side.nodes.rows()) = side.nodes;
+    for (Index k = 0; k <= count; ++k)
     {
       result.nodeRing.insert(result.nodeRing.end(), at(n), k);
       result.sourcePoint.insert(result.sourcePoint.end(), quadLoops[l].begin(), quadLoops[l].end());
     }
-    for (Index k = 0; k < result.layers; ++k)
+    for (Index k = 0; k < count; ++k)
     {
       result.quadLayer.insert(result.quadLayer.end(), at(n), k);
       for (Index j = 0; j < n; ++j, ++quad)
       {
         const Index a = row + k * n + j;
         const Index b = row + k * n + (j + 1) % n;
-        result.mesh.quads.row(quad) << a, b, b + n, a + n;
+        result.quads.row(quad) << a, b, b + n, a + n;
       }
     }
     result.quadSide.insert(
@@ -308,6 +308,7 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
     reportProgress(
       progress, 0.8 + 0.2 * static_cast<double>(l + 1) / static_cast<double>(rings.size()));
   }
+  result.rings = stackRings(std::move(points), quadLoops, count);
   return result;
 }
 }

@@ -8,6 +8,7 @@
 
 #include "Core/Linking/LinkingSideColumns.h"
 #include "Core/Linking/LinkingSurface.h"
+#include "Core/Linking/RingStack.h"
 
 namespace hexsweep
 {
@@ -24,16 +25,16 @@ struct LayerRequest
 
 struct LinkingMesh
 {
-  /// Side after side (loop after loop of the quads), node k n + j of each is node k of column j;
-  /// quad k n + j is that between columns j and j + 1, rings k and k + 1.
-  QuadMesh mesh;
+  /// Side after side (loop after loop of the quads), see stackRings().
+  RingStack rings;
+  /// Side after side, quad k n + j is that between columns j and j + 1, rings k and k + 1.
+  Quads quads{ 0, 4 };
   std::vector<Index> quadSide;     ///< row of the given sides
   std::vector<Index> quadTriangle; ///< row of that side's triangles below the quad's middle
   std::vector<Index> quadLayer;
   std::vector<Index> nodeRing; ///< 0 ... layers
   std::vector<Index>
     sourcePoint; ///< of each node: the point of the quads that its column begins at
-  Index layers = 0;
   double meanColumnLength = 0.0;
   Index keptEdges = 0;                         ///< columns that are CAD edges
   std::vector<Eigen::RowVector3d> lostEdges;   ///< see LinkingSideColumns

@@ -7,7 +7,7 @@
 #define hexsweep_RingWalk_h
 
 #include "Core/Linking/QuadNeighbors.h"
-#include "Core/Linking/RingTable.h"
+#include "Core/Linking/RingStack.h"
 
 #include <string>
 

@@ -38,7 +38,7 @@ void addCap(const SolidCage& cage, const SolidSurface& solid, const std::vector<
   bool isSource, std::vector<BoundaryQuad>& result)
 {
   const Index m = cage.quads.rows();
-  const Index layers = cage.linking.layers;
+  const Index layers = cage.linking.rings.numberOfLayers();
   const Points& points = isSource ? cage.source : cage.target;
   const SurfacePart part = surfacePart(solid.points, solid.triangles, triangles);
   const TriangleSearch search(part.mesh.points, part.mesh.triangles);
@@ -91,16 +91,16 @@ void addSides(const SolidCage& cage, const SolidSurface& solid, const SweepTopol
 {
   const LinkingMesh& linking = cage.linking;
   const std::vector<LoopEdge> edges = loopEdges(cage);
-  for (Index q = 0; q < linking.mesh.quads.rows(); ++q)
+  for (Index q = 0; q < linking.quads.rows(); ++q)
   {
-    const auto corners = linking.mesh.quads.row(q);
+    const auto corners = linking.quads.row(q);
     BoundaryQuad quad{};
     Corners p;
     for (Index c = 0; c < 4; ++c)
     {
       const std::size_t node = at(corners[c]);
       quad.points[at(c)] = linking.nodeRing[node] * cage.source.rows() + linking.sourcePoint[node];
-      p[at(c)] = linking.mesh.points.row(corners[c]);
+      p[at(c)] = linking.rings.points.row(corners[c]);
     }
     const LoopEdge& edge = edges[at(linking.sourcePoint[at(corners[0])])];
     quad.hex = linking.quadLayer[at(q)] * cage.quads.rows() + edge.quad;
@@ -117,7 +117,7 @@ std::vector<BoundaryQuad> boundaryQuads(
   const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology)
 {
   std::vector<BoundaryQuad> result;
-  result.reserve(at(2 * cage.quads.rows() + cage.linking.mesh.quads.rows()));
+  result.reserve(at(2 * cage.quads.rows() + cage.linking.quads.rows()));
   addCap(cage, solid, topology.sourceTriangles, true, result);
   addCap(cage, solid, topology.targetTriangles, false, result);
   addSides(cage, solid, topology, result);

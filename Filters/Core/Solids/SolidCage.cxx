@@ -5,7 +5,6 @@
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Interior/RingCollapse.h"
-#include "Core/Linking/LinkingRings.h"
 #include "Core/Surfaces/SurfacePart.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 
@@ -55,38 +54,15 @@ std::vector<SideTube> linkingSides(const SolidCageInput& input)
   return sides;
 }
 
-/// The rings of linking sides that were meshed here: nothing needs to be searched for.
-LinkingRings ringsOf(const LinkingMesh& linking, const std::vector<Loop>& loops)
-{
-  LinkingRings rings;
-  Index first = 0;
-  for (const Loop& loop : loops)
-  {
-    const Index n = static_cast<Index>(loop.size());
-    RingTable table(linking.layers + 1, n);
-    for (Index k = 0; k <= linking.layers; ++k)
-    {
-      for (Index j = 0; j < n; ++j)
-      {
-        table(k, j) = first + k * n + j;
-      }
-    }
-    first += (linking.layers + 1) * n;
-    rings.loops.push_back(std::move(table));
-  }
-  return rings;
-}
-
 /// The target quads' boundary nodes are those of the last rings, bit for bit.
-void snapTarget(Points& target, const std::vector<Loop>& loops, const LinkingRings& rings,
-  const PointsRef& linkingPoints)
+void snapTarget(Points& target, const RingStack& rings)
 {
-  for (std::size_t l = 0; l < loops.size(); ++l)
+  for (std::size_t l = 0; l < rings.loops.size(); ++l)
   {
-    for (std::size_t j = 0; j < loops[l].size(); ++j)
+    const Points last = ringPoints(rings, l, rings.numberOfLayers());
+    for (std::size_t j = 0; j < rings.loops[l].size(); ++j)
     {
-      target.row(loops[l][j]) =
-        linkingPoints.row(rings.loops[l](rings.numberOfLayers(), static_cast<Index>(j)));
+      target.row(rings.loops[l][j]) = last.row(static_cast<Index>(j));
     }
   }
 }
@@ -155,7 +131,7 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   SweepProjectionInput projection;
   projection.source = input.source;
   projection.target = target.mesh;
-  projection.linking = cage.linking.mesh;
+  projection.linking = cage.linking.rings;
   projection.sourceSurface = source.mesh;
   projection.matchTolerance = input.matchTolerance;
   projection.singlePrecision = input.singlePrecision;
@@ -164,13 +140,11 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   cage.projection = projectSweep(projection, progressPart(progress, 0.4, 1.0));
   stages.finish("Target quads");
 
-  const LinkingRings rings = ringsOf(cage.linking, cage.loops);
   cage.source = input.source.points;
   cage.target = cage.projection.quads.points;
   cage.quads = input.source.quads;
-  snapTarget(cage.target, cage.loops, rings, cage.linking.mesh.points);
-  cage.boundary =
-    gatherSweepBoundary(cage.source, cage.target, cage.loops, rings, cage.linking.mesh.points);
+  snapTarget(cage.target, cage.linking.rings);
+  cage.boundary = gatherSweepBoundary(cage.source, cage.target, cage.linking.rings);
   checkRings(cage.boundary, cage.loops);
   stages.finish("Cage");
   cage.stages = stages.stages();

@@ -56,15 +56,22 @@ Cap curvedCap(std::size_t holeCount, double height)
   return cap;
 }
 
+using Motion = std::function<Points(const Points&)>;
+
+/// Quads from the loops of a cap to those of its image.
+QuadMesh sidesOf(const Cap& cap, const Motion& motion)
+{
+  return test::linkingSides(cap.quads.points, motion(cap.quads.points), loopsOf(cap.quads));
+}
+
 /// The sweep of a cap to its image.
-SweepProjectionInput imageSweep(const Cap& cap, const std::function<Points(const Points&)>& motion)
+SweepProjectionInput imageSweep(const Cap& cap, const Motion& motion)
 {
   SweepProjectionInput input;
   input.source = cap.quads;
   input.sourceSurface = cap.surface;
   input.target = { motion(cap.surface.points), cap.surface.triangles };
-  input.linking =
-    test::linkingSides(cap.quads.points, motion(cap.quads.points), loopsOf(cap.quads));
+  input.linking = test::traced(cap.quads, sidesOf(cap, motion));
   return input;
 }
 
@@ -160,7 +167,7 @@ TEST(SweepProjection, OtherTriangulationsOfAPlaneCapConverge)
     Points image = quads.points;
     image.col(2).array() += 1.0;
     input.target.points.col(2).array() += 1.0;
-    input.linking = test::linkingSides(quads.points, image, loopsOf(quads));
+    input.linking = test::traced(quads, test::linkingSides(quads.points, image, loopsOf(quads)));
     const SweepProjection result = hexsweep::projectSweep(input);
     EXPECT_EQ(result.quality.inverted, 0);
     const double error = greatest(result.quads.points, image);
@@ -214,7 +221,7 @@ TEST(SweepProjection, EitherOrientationOfTheQuadsGivesTheSamePoints)
     input.target.points.col(0) *= 1.3;
     Points image = test::Similarity{ 1.0, test::someTurn(), { 1, 2, 3 } }(cap.quads.points);
     image.col(0) *= 1.3;
-    input.linking = test::linkingSides(cap.quads.points, image, loopsOf(cap.quads));
+    const QuadMesh sides = test::linkingSides(cap.quads.points, image, loopsOf(cap.quads));
     for (const bool surface : { true, false })
     {
       if (!surface)
@@ -222,8 +229,10 @@ TEST(SweepProjection, EitherOrientationOfTheQuadsGivesTheSamePoints)
         input.sourceSurface.reset();
       }
       input.source.quads = cap.quads.quads;
+      input.linking = test::traced(input.source, sides);
       const SweepProjection plain = hexsweep::projectSweep(input);
       input.source.quads = test::turnedOver(cap.quads.quads);
+      input.linking = test::traced(input.source, sides);
       const SweepProjection turned = hexsweep::projectSweep(input);
       EXPECT_LT(greatest(turned.quads.points, plain.quads.points), 1e-12);
       EXPECT_EQ(plain.quality.inverted, turned.quality.inverted);
@@ -238,8 +247,8 @@ TEST(SweepProjection, TargetAndLinkingCellsMayFaceAnyWay)
   for (const std::size_t holeCount : { 0u, 1u, 3u })
   {
     const Cap cap = curvedCap(holeCount, 0.5);
-    SweepProjectionInput input =
-      imageSweep(cap, test::Similarity{ 2.0, test::someTurn(), { 1, 2, 3 } });
+    const test::Similarity motion{ 2.0, test::someTurn(), { 1, 2, 3 } };
+    const SweepProjectionInput input = imageSweep(cap, motion);
     const Points plain = hexsweep::projectSweep(input).quads.points;
     for (int trial = 0; trial < 3; ++trial)
     {
@@ -251,13 +260,15 @@ TEST(SweepProjection, TargetAndLinkingCellsMayFaceAnyWay)
           shaken.target.triangles.row(t).reverseInPlace();
         }
       }
-      for (Index q = 0; q < shaken.linking->quads.rows(); ++q)
+      QuadMesh sides = sidesOf(cap, motion);
+      for (Index q = 0; q < sides.quads.rows(); ++q)
       {
         if (generator() % 2)
         {
-          shaken.linking->quads.row(q).reverseInPlace();
+          sides.quads.row(q).reverseInPlace();
         }
       }
+      shaken.linking = test::traced(shaken.source, sides);
       EXPECT_LT(greatest(hexsweep::projectSweep(shaken).quads.points, plain), 1e-12);
     }
   }
@@ -289,11 +300,11 @@ TEST(SweepProjection, SizePlaceAndTurnDoNotMatter)
       imageSweep(cap, test::Similarity{ 1.0, test::someTurn(), { 1, 2, 3 } });
     input.sourceSurface->points.col(0) *= 1.3;
     input.source.points.col(0) *= 1.3;
-    const auto linkFrom = [&](const Points& from, const Points& to) {
-      return test::linkingSides(from, to, loopsOf(cap.quads));
+    const auto linkFrom = [&](const QuadMesh& from, const Points& to) {
+      return test::traced(from, test::linkingSides(from.points, to, loopsOf(cap.quads)));
     };
     const Points image = test::Similarity{ 1.0, test::someTurn(), { 1, 2, 3 } }(cap.quads.points);
-    input.linking = linkFrom(input.source.points, image);
+    input.linking = linkFrom(input.source, image);
     const Points plain = hexsweep::projectSweep(input).quads.points;
     for (const test::Placement& placement : test::placements())
     {
@@ -301,7 +312,7 @@ TEST(SweepProjection, SizePlaceAndTurnDoNotMatter)
       moved.source.points = placement.motion(input.source.points);
       moved.sourceSurface->points = placement.motion(input.sourceSurface->points);
       moved.target.points = placement.motion(input.target.points);
-      moved.linking = linkFrom(moved.source.points, placement.motion(image));
+      moved.linking = linkFrom(moved.source, placement.motion(image));
       // Weights feel the rounding of coordinates over slivers' heights, 1e-2 of the size.
       const double tolerance =
         std::max(1e-9, 1e5 * placement.relativeRounding) * placement.motion.scale;
@@ -317,13 +328,13 @@ TEST(SweepProjection, GivenMapsAreUsedAsTheyAre)
   for (const std::size_t holeCount : { 0u, 1u, 3u })
   {
     const Cap cap = curvedCap(holeCount, 0.5);
-    SweepProjectionInput input =
-      imageSweep(cap, test::Similarity{ 1.0, test::someTurn(), { 1, 2, 3 } });
+    const test::Similarity motion{ 1.0, test::someTurn(), { 1, 2, 3 } };
+    SweepProjectionInput input = imageSweep(cap, motion);
     const SweepProjection automatic = hexsweep::projectSweep(input);
-    const auto source = hexsweep::mapLinkedCaps(
-      *input.sourceSurface, input.target, input.linking, input.weights, input.matchTolerance);
-    const auto target = hexsweep::mapLinkedCaps(
-      input.target, *input.sourceSurface, input.linking, input.weights, input.matchTolerance);
+    const auto source = hexsweep::mapLinkedCaps(*input.sourceSurface, input.target,
+      sidesOf(cap, motion), input.weights, input.matchTolerance);
+    const auto target = hexsweep::mapLinkedCaps(input.target, *input.sourceSurface,
+      sidesOf(cap, motion), input.weights, input.matchTolerance);
     input.sourceDisk = source.first;
     input.targetDisk = target.first;
     const SweepProjection given = hexsweep::projectSweep(input);
@@ -361,6 +372,10 @@ TEST(SweepProjection, InputThatDoesNotFit)
   input = imageSweep(one, motion);
   input.source.quads.row(0).reverseInPlace();
   test::expectInvalid([&] { hexsweep::projectSweep(input); }, "opposite orientation");
+
+  input = imageSweep(one, motion);
+  input.source.quads = test::turnedOver(input.source.quads);
+  test::expectInvalid([&] { hexsweep::projectSweep(input); }, "belong to other source quads");
 }
 
 TEST(SweepProjection, CanBeAbortedAtAnyTime)
@@ -393,7 +408,7 @@ TEST(SweepProjection, UntanglingUnwindsATwistedMap)
   const test::Similarity motion{ 2.0, test::someTurn(), { 1, 0, 3 } };
   SweepProjectionInput input = imageSweep(cap, motion);
   const hexsweep::LinkedDisks disks = hexsweep::mapLinkedCaps(
-    *input.sourceSurface, input.target, input.linking, Weights::Cotangent, 1e-6);
+    *input.sourceSurface, input.target, sidesOf(cap, motion), Weights::Cotangent, 1e-6);
   input.sourceDisk = disks.first;
   input.targetDisk = disks.second;
   ASSERT_EQ(input.targetDisk->domain, hexsweep::DiskDomain::Annulus);

@@ -309,7 +309,7 @@ TEST(PaperHarmonic, PinsTheSourceWhicheverCapTheLinkingSidesBeginWith)
     SweepProjectionInput input;
     input.source = source;
     input.target = { target.points, halveQuads(target.points, target.quads) };
-    input.linking = test::linkingSides(narrow.points, wide.points, loops);
+    input.linking = test::traced(source, test::linkingSides(narrow.points, wide.points, loops));
     input.method = ProjectionMethod::PaperHarmonic;
     const SweepProjection result = projectSweep(input);
     EXPECT_EQ(result.quality.inverted, 0);

@@ -13,7 +13,7 @@
 namespace
 {
 using hexsweep::Index;
-using hexsweep::LinkingRings;
+using hexsweep::RingStack;
 using test::Sweep;
 
 std::vector<hexsweep::Loop> loopsOf(const Sweep& sweep)
@@ -21,24 +21,24 @@ std::vector<hexsweep::Loop> loopsOf(const Sweep& sweep)
   return hexsweep::checkSurface(sweep.quads, sweep.source.rows(), "quads").loops;
 }
 
-LinkingRings trace(const Sweep& sweep)
+RingStack trace(const Sweep& sweep)
 {
   return hexsweep::traceLinkingRings(
     sweep.source, loopsOf(sweep), sweep.linkingPoints, sweep.linkingQuads);
 }
 
 /// Greatest distance of a ring node from where its column is at that layer.
-double ringError(const Sweep& sweep, const LinkingRings& rings)
+double ringError(const Sweep& sweep, const RingStack& rings)
 {
   const auto loops = loopsOf(sweep);
-  EXPECT_EQ(rings.loops.size(), loops.size());
+  EXPECT_EQ(rings.tables.size(), loops.size());
   EXPECT_EQ(rings.numberOfLayers(), sweep.numberOfLayers);
   double error = 0.0;
   for (std::size_t l = 0; l < loops.size(); ++l)
   {
     for (Index k = 0; k <= sweep.numberOfLayers; ++k)
     {
-      const hexsweep::Points ring = hexsweep::ringPoints(rings, sweep.linkingPoints, l, k);
+      const hexsweep::Points ring = hexsweep::ringPoints(rings, l, k);
       for (std::size_t j = 0; j < loops[l].size(); ++j)
       {
         const Index row = k * sweep.source.rows() + loops[l][j];
@@ -84,8 +84,8 @@ void removeLinkingQuad(Sweep& sweep, Index quad)
 TEST(LinkingRings, FollowTheColumnsOfEveryLoop)
 {
   const Sweep sweep = holedSweep();
-  const LinkingRings rings = trace(sweep);
-  ASSERT_EQ(rings.loops.size(), 2u);
+  const RingStack rings = trace(sweep);
+  ASSERT_EQ(rings.tables.size(), 2u);
   EXPECT_EQ(ringError(sweep, rings), 0.0);
   EXPECT_EQ(rings.maximumMatchDistance, 0.0);
   EXPECT_EQ(rings.snapped, 0);
@@ -145,7 +145,7 @@ TEST(LinkingRings, SinglePrecisionLinkingSidesAreMatchedAndReported)
 {
   Sweep sweep = holedSweep();
   sweep.linkingPoints = sweep.linkingPoints.cast<float>().cast<double>().eval();
-  const LinkingRings rings = trace(sweep);
+  const RingStack rings = trace(sweep);
   EXPECT_LT(ringError(sweep, rings), 1e-6);
   EXPECT_GT(rings.snapped, 0);
   EXPECT_GT(rings.maximumMatchDistance, 0.0);
@@ -158,7 +158,7 @@ TEST(LinkingRings, ToleranceIsRelativeToTheLocalEdge)
   const Eigen::RowVector3d step(1e-4, 0, 0);
   sweep.source.rowwise() += step;
   EXPECT_NE(errorOf(sweep), "");
-  const LinkingRings rings = hexsweep::traceLinkingRings(
+  const RingStack rings = hexsweep::traceLinkingRings(
     sweep.source, loopsOf(sweep), sweep.linkingPoints, sweep.linkingQuads, 1e-2);
   EXPECT_NEAR(rings.maximumMatchDistance, 1e-4, 1e-12);
   EXPECT_THROW(hexsweep::traceLinkingRings(
@@ -215,12 +215,12 @@ TEST(LinkingRings, DifferentNumbersOfLayersAreAnError)
 {
   Sweep sweep = holedSweep();
   // Drop the last layer on the hole's side: its quads are those on the columns of loop 1.
-  const LinkingRings rings = trace(sweep);
+  const RingStack rings = trace(sweep);
   const Index layers = sweep.numberOfLayers;
   std::vector<char> last(static_cast<std::size_t>(sweep.linkingPoints.rows()), 0);
-  for (Index j = 0; j < rings.loops[1].cols(); ++j)
+  for (Index j = 0; j < rings.tables[1].cols(); ++j)
   {
-    last[static_cast<std::size_t>(rings.loops[1](layers, j))] = 1;
+    last[static_cast<std::size_t>(rings.tables[1](layers, j))] = 1;
   }
   for (Index q = sweep.linkingQuads.rows() - 1; q >= 0; --q)
   {
@@ -236,16 +236,15 @@ TEST(LinkingRings, TargetLoopsMustLieOnTheLastRing)
 {
   Sweep sweep = holedSweep();
   const auto loops = loopsOf(sweep);
-  const LinkingRings rings = trace(sweep);
-  const hexsweep::TargetMatch match =
-    hexsweep::matchTargetLoops(sweep.target, loops, rings, sweep.linkingPoints);
+  const RingStack rings = trace(sweep);
+  const hexsweep::TargetMatch match = hexsweep::matchTargetLoops(sweep.target, rings);
   EXPECT_EQ(match.maximumDistance, 0.0);
   EXPECT_EQ(match.snapped, 0);
 
   sweep.target.row(loops[1][3]) += Eigen::RowVector3d(0, 0, 0.25);
   try
   {
-    hexsweep::matchTargetLoops(sweep.target, loops, rings, sweep.linkingPoints);
+    hexsweep::matchTargetLoops(sweep.target, rings);
     FAIL() << "no error";
   }
   catch (const hexsweep::InvalidInput& error)

@@ -108,11 +108,11 @@ LayerRequest layers(Index count)
 
 Eigen::RowVector3d node(const LinkingMesh& mesh, Index n, Index k, Index j)
 {
-  return mesh.mesh.points.row(k * n + j);
+  return mesh.rings.points.row(k * n + j);
 }
 
 /// Least sine at a corner of a quad, about the mean normal of the quad.
-double leastCorner(const QuadMesh& mesh)
+double leastCorner(const LinkingMesh& mesh)
 {
   double least = 1.0;
   for (Index q = 0; q < mesh.quads.rows(); ++q)
@@ -120,7 +120,7 @@ double leastCorner(const QuadMesh& mesh)
     Eigen::RowVector3d p[4];
     for (int c = 0; c < 4; ++c)
     {
-      p[c] = mesh.points.row(mesh.quads(q, c));
+      p[c] = mesh.rings.points.row(mesh.quads(q, c));
     }
     const Eigen::RowVector3d normal = (p[2] - p[0]).cross(p[3] - p[1]).normalized();
     for (int c = 0; c < 4; ++c)
@@ -155,10 +155,10 @@ double meanTurn(const LinkingMesh& mesh, Index firstNode, Index n)
   for (Index j = 0; j < n; ++j)
   {
     double angle = 0.0;
-    for (Index k = 1; k <= mesh.layers; ++k)
+    for (Index k = 1; k <= mesh.rings.numberOfLayers(); ++k)
     {
-      const Eigen::RowVector3d a = mesh.mesh.points.row(firstNode + (k - 1) * n + j);
-      const Eigen::RowVector3d b = mesh.mesh.points.row(firstNode + k * n + j);
+      const Eigen::RowVector3d a = mesh.rings.points.row(firstNode + (k - 1) * n + j);
+      const Eigen::RowVector3d b = mesh.rings.points.row(firstNode + k * n + j);
       angle += std::remainder(std::atan2(b[1], b[0]) - std::atan2(a[1], a[0]), TwoPi);
     }
     sum += angle;
@@ -255,7 +255,7 @@ TEST(LinkingSides, CylinderIsMeshedExactly)
   const SideTube side = tube(24, 5, Cylinder, {}, 0.0);
   const Index n = 24;
   const LinkingMesh result = mesh(side, ringOf(n, Cylinder), layers(7));
-  ASSERT_EQ(result.layers, 7);
+  ASSERT_EQ(result.rings.numberOfLayers(), 7);
   EXPECT_NEAR(result.meanColumnLength, 3.0, 1e-9);
   for (Index k = 0; k <= 7; ++k)
   {
@@ -275,8 +275,8 @@ TEST(LinkingSides, GivenRingIsKeptInItsOrder)
   const LinkingMesh a = mesh(side, forward, layers(4));
   const Points backward = forward.colwise().reverse();
   const LinkingMesh b = mesh(side, backward, layers(4));
-  EXPECT_EQ(Points(a.mesh.points.topRows(20)), forward);
-  EXPECT_EQ(Points(b.mesh.points.topRows(20)), backward);
+  EXPECT_EQ(Points(a.rings.points.topRows(20)), forward);
+  EXPECT_EQ(Points(b.rings.points.topRows(20)), backward);
   for (Index k = 0; k <= 4; ++k)
   {
     for (Index j = 0; j < 20; ++j)
@@ -295,9 +295,9 @@ TEST(LinkingSides, NodesLieOnTheTriangles)
   };
   const SideTube side = tube(60, 30, bulge, {}, 0.3);
   const LinkingMesh result = mesh(side, ringOf(30, bulge), layers(11));
-  EXPECT_LT(greatestDistance(side, result.mesh.points), 1e-14 * 6.0);
+  EXPECT_LT(greatestDistance(side, result.rings.points), 1e-14 * 6.0);
   EXPECT_EQ(result.flipped, 0);
-  EXPECT_GT(leastCorner(result.mesh), 0.7);
+  EXPECT_GT(leastCorner(result), 0.7);
 }
 
 // The side comes back under itself: its height falls on the way.
@@ -310,8 +310,8 @@ TEST(LinkingSides, HeightNeedNotRise)
   };
   const SideTube side = tube(48, 60, undercut, {}, 0.3);
   const LinkingMesh result = mesh(side, ringOf(24, undercut), layers(40));
-  EXPECT_LT(greatestDistance(side, result.mesh.points), 1e-13);
-  EXPECT_GT(leastCorner(result.mesh), 0.9);
+  EXPECT_LT(greatestDistance(side, result.rings.points), 1e-13);
+  EXPECT_GT(leastCorner(result), 0.9);
   // By symmetry every ring is a circle, and all columns are equally long.
   for (Index k = 0; k <= 40; ++k)
   {
@@ -330,7 +330,7 @@ TEST(LinkingSides, SidesOfVeryDifferentLength)
   };
   const SideTube side = tube(60, 20, slanted, {}, 0.2);
   const LinkingMesh result = mesh(side, ringOf(30, slanted), layers(5));
-  EXPECT_GT(leastCorner(result.mesh), 0.3);
+  EXPECT_GT(leastCorner(result), 0.3);
   for (Index j = 0; j < 30; ++j)
   {
     double shortest = 1e9;
@@ -357,12 +357,12 @@ TEST(LinkingSides, LayersFollowGrowthAndPositions)
     EXPECT_NEAR(node(grown, 24, k, 5).z(), 3.0 * expected[static_cast<std::size_t>(k)], 0.01);
   }
   request.positions = { 0.25, 0.3 };
-  EXPECT_EQ(mesh(side, ringOf(24, Cylinder), request).layers, 3);
+  EXPECT_EQ(mesh(side, ringOf(24, Cylinder), request).rings.numberOfLayers(), 3);
   request.positions.clear();
   request.size = 0.5;
-  EXPECT_EQ(mesh(side, ringOf(24, Cylinder), request).layers, 6);
+  EXPECT_EQ(mesh(side, ringOf(24, Cylinder), request).rings.numberOfLayers(), 6);
   request.size = 0.75;
-  EXPECT_EQ(mesh(side, ringOf(24, Cylinder), request).layers, 4);
+  EXPECT_EQ(mesh(side, ringOf(24, Cylinder), request).rings.numberOfLayers(), 4);
 }
 
 /// A box of 1 x 1 x 2 whose corner edges wind by a quarter turn, four faces.
@@ -403,7 +403,7 @@ TEST(LinkingSides, CadEdgesBecomeColumns)
     }
   }
   // Each quad is on the face that its middle is on.
-  for (Index q = 0; q < result.mesh.quads.rows(); ++q)
+  for (Index q = 0; q < result.quads.rows(); ++q)
   {
     const Index face =
       side.faceIds[static_cast<std::size_t>(result.quadTriangle[static_cast<std::size_t>(q)])];
@@ -443,8 +443,8 @@ TEST(LinkingSides, TwoTrianglesAFace)
   const LinkingMesh result = mesh(side, ringOf(32, pyramid), layers(8));
   EXPECT_EQ(result.keptEdges, 4);
   EXPECT_EQ(result.flipped, 0);
-  EXPECT_LT(greatestDistance(side, result.mesh.points), 1e-15);
-  EXPECT_GT(leastCorner(result.mesh), 0.8);
+  EXPECT_LT(greatestDistance(side, result.rings.points), 1e-15);
+  EXPECT_GT(leastCorner(result), 0.8);
   // Rings keep their height up to what the diagonals do to it.
   for (Index j = 0; j < 32; ++j)
   {
@@ -462,7 +462,7 @@ TEST(LinkingSides, ScaleAndPlaceDoNotMatter)
     SideTube scaled = side;
     scaled.surface.points *= scale;
     const LinkingMesh result = mesh(scaled, scale * ringOf(20, TwistedBox), layers(9));
-    EXPECT_LT((result.mesh.points / scale - unit.mesh.points).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((result.rings.points / scale - unit.rings.points).cwiseAbs().maxCoeff(), 1e-9);
   }
 }
 
@@ -471,16 +471,16 @@ QuadMesh partOf(const LinkingMesh& mesh, Index n, Index from, Index to)
 {
   QuadMesh part;
   const Index width = to - from;
-  part.points.resize((mesh.layers + 1) * (width + 1), 3);
-  part.quads.resize(mesh.layers * width, 4);
-  for (Index k = 0; k <= mesh.layers; ++k)
+  part.points.resize((mesh.rings.numberOfLayers() + 1) * (width + 1), 3);
+  part.quads.resize(mesh.rings.numberOfLayers() * width, 4);
+  for (Index k = 0; k <= mesh.rings.numberOfLayers(); ++k)
   {
     for (Index j = 0; j <= width; ++j)
     {
       part.points.row(k * (width + 1) + j) = node(mesh, n, k, (from + j) % n);
     }
   }
-  for (Index k = 0; k < mesh.layers; ++k)
+  for (Index k = 0; k < mesh.rings.numberOfLayers(); ++k)
   {
     for (Index j = 0; j < width; ++j)
     {
@@ -510,9 +510,9 @@ TEST(LinkingSides, MeshedPartsKeepTheirNodes)
     // Across the box the layers are as they were asked for.
     EXPECT_NEAR(node(result, 20, k, 17).z(), 0.25 * static_cast<double>(k), 0.01);
   }
-  EXPECT_GT(leastCorner(result.mesh), 0.6);
+  EXPECT_GT(leastCorner(result), 0.6);
   side.patches = { partOf(other, 20, 0, 20) };
-  EXPECT_LT((mesh(side, ring, layers(8)).mesh.points - other.mesh.points).norm(), 1e-15);
+  EXPECT_LT((mesh(side, ring, layers(8)).rings.points - other.rings.points).norm(), 1e-15);
   EXPECT_THROW(mesh(side, ring, layers(7)), InvalidInput);
   side.patches = { partOf(other, 20, 5, 10) };
   side.patches[0].quads.conservativeResize(side.patches[0].quads.rows() - 2, Eigen::NoChange);
@@ -530,8 +530,8 @@ TEST(LinkingSides, WallsOfOneQuadAreNoMesh)
   LayerRequest one = layers(1);
   const LinkingMesh walls = mesh(side, ring, one);
   side.patches = { partOf(walls, 20, 0, 20) };
-  EXPECT_EQ(mesh(side, ring, layers(8)).mesh.points, plain.mesh.points);
-  EXPECT_EQ(mesh(side, ring, one).mesh.points, walls.mesh.points);
+  EXPECT_EQ(mesh(side, ring, layers(8)).rings.points, plain.rings.points);
+  EXPECT_EQ(mesh(side, ring, one).rings.points, walls.rings.points);
 }
 
 TEST(LinkingSides, AThicknessThatIsNoneIsRefused)
@@ -571,10 +571,10 @@ TEST(LinkingSides, SplitsASurfaceAndFindsTheSource)
   const auto sides = hexsweep::splitLinkingSides(surface, rings, loops);
   ASSERT_EQ(sides.size(), 2u);
   const LinkingMesh result = hexsweep::meshLinkingSides(rings, loops, sides, layers(3));
-  EXPECT_EQ(Points(result.mesh.points.topRows(12)), hole);
-  for (Index i = 0; i < result.mesh.points.rows(); ++i)
+  EXPECT_EQ(Points(result.rings.points.topRows(12)), hole);
+  for (Index i = 0; i < result.rings.points.rows(); ++i)
   {
-    EXPECT_NEAR(result.mesh.points(i, 2),
+    EXPECT_NEAR(result.rings.points(i, 2),
       static_cast<double>(result.nodeRing[static_cast<std::size_t>(i)]), 0.01);
   }
   EXPECT_THROW(hexsweep::splitLinkingSides(surface, rings, { loops[0] }), InvalidInput);

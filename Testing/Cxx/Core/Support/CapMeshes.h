@@ -9,6 +9,7 @@
 #include "Core/Common/Errors.h"
 #include "Core/Common/Mesh.h"
 #include "Core/Linking/CapBoundary.h"
+#include "Core/Linking/LinkingRings.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 
 #include <Eigen/Geometry>
@@ -361,6 +362,15 @@ inline hexsweep::QuadMesh linkingSides(
   }
   mesh.quads = facesOf<Quads>(ids);
   return mesh;
+}
+
+/// The rings of linking quads, from the loops of the source quads.
+inline hexsweep::RingStack traced(
+  const hexsweep::QuadMesh& source, const hexsweep::QuadMesh& linking)
+{
+  return hexsweep::traceLinkingRings(source.points,
+    hexsweep::checkSurface(source.quads, source.points.rows(), "source quads").loops,
+    linking.points, linking.quads);
 }
 
 /// Runs something that must throw InvalidInput with `part` in its text.

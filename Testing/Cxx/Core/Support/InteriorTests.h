@@ -7,6 +7,7 @@
 #define InteriorTests_h
 
 #include "Core/Interior/SweepCage.h"
+#include "Core/Linking/LinkingRings.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "Support/SweepMeshes.h"
 
@@ -22,8 +23,7 @@ inline hexsweep::SweepBoundary boundaryOf(const Sweep& sweep)
   const auto loops = hexsweep::checkSurface(sweep.quads, sweep.source.rows(), "source quads").loops;
   const auto rings =
     hexsweep::traceLinkingRings(sweep.source, loops, sweep.linkingPoints, sweep.linkingQuads);
-  return hexsweep::gatherSweepBoundary(
-    sweep.source, sweep.target, loops, rings, sweep.linkingPoints);
+  return hexsweep::gatherSweepBoundary(sweep.source, sweep.target, rings);
 }
 
 inline hexsweep::SweepCage cageOf(const Sweep& sweep)

@@ -46,65 +46,14 @@ Faces facesOf(const std::vector<Index>& ids)
 
 /// A triangulated polar grid: node (ring k, place j) is point k * around + j; all diagonals lean
 /// the same way, or by chance when a generator is given.
-inline Triangles polarTriangles(Index rings, Index around, std::mt19937* generator = nullptr)
-{
-  std::vector<Index> ids;
-  for (Index k = 0; k + 1 < rings; ++k)
-  {
-    for (Index j = 0; j < around; ++j)
-    {
-      const Index a = k * around + j;
-      const Index b = k * around + (j + 1) % around;
-      const Index c = b + around;
-      const Index d = a + around;
-      if (generator && (*generator)() % 2 == 0)
-      {
-        ids.insert(ids.end(), { a, d, c, a, c, b });
-      }
-      else
-      {
-        ids.insert(ids.end(), { a, d, b, b, d, c });
-      }
-    }
-  }
-  return facesOf<Triangles>(ids);
-}
+Triangles polarTriangles(Index rings, Index around, std::mt19937* generator = nullptr);
 
 /// The annulus inner <= |z| <= outer in the plane z = 0; rings evenly spaced, the hole first.
-inline TriangleMesh annulus(
-  double inner, double outer, Index rings, Index around, std::mt19937* generator = nullptr)
-{
-  TriangleMesh mesh;
-  mesh.points.resize(rings * around, 3);
-  for (Index k = 0; k < rings; ++k)
-  {
-    const double t = static_cast<double>(k) / static_cast<double>(rings - 1);
-    const double r = (1.0 - t) * inner + t * outer;
-    for (Index j = 0; j < around; ++j)
-    {
-      const double angle = 2.0 * Pi * static_cast<double>(j) / static_cast<double>(around);
-      mesh.points.row(k * around + j) << r * std::cos(angle), r * std::sin(angle), 0.0;
-    }
-  }
-  mesh.triangles = polarTriangles(rings, around, generator);
-  return mesh;
-}
+TriangleMesh annulus(
+  double inner, double outer, Index rings, Index around, std::mt19937* generator = nullptr);
 
 /// The unit disk: `rings` circles of nodes (point k * around + j) and the centre, the last point.
-inline TriangleMesh disk(Index rings, Index around)
-{
-  TriangleMesh mesh = annulus(1.0 / static_cast<double>(rings), 1.0, rings, around);
-  const Index center = mesh.points.rows();
-  mesh.points.conservativeResize(center + 1, 3);
-  mesh.points.row(center).setZero();
-  const Index old = mesh.triangles.rows();
-  mesh.triangles.conservativeResize(old + around, 3);
-  for (Index j = 0; j < around; ++j)
-  {
-    mesh.triangles.row(old + j) << center, j, (j + 1) % around;
-  }
-  return mesh;
-}
+TriangleMesh disk(Index rings, Index around);
 
 /// A block of cells that is cut out of a plate.
 struct Block
@@ -117,116 +66,24 @@ struct Block
 
 /// A plate of cells x cells squares over [0, 1]^2 in the plane z = 0, with rectangular holes.
 /// Inner nodes are shaken by `shake` of a cell.
-inline hexsweep::QuadMesh quadPlate(
-  int cells, const std::vector<Block>& holes, double shake = 0.0, unsigned seed = 1)
-{
-  std::vector<Index> ids;
-  std::map<std::pair<int, int>, Index> numbers;
-  std::vector<double> coordinates;
-  const auto point = [&](int i, int j) {
-    const auto known = numbers.emplace(std::make_pair(i, j), static_cast<Index>(numbers.size()));
-    if (known.second)
-    {
-      coordinates.insert(coordinates.end(), { 1.0 * i / cells, 1.0 * j / cells, 0.0 });
-    }
-    return known.first->second;
-  };
-  for (int j = 0; j < cells; ++j)
-  {
-    for (int i = 0; i < cells; ++i)
-    {
-      const bool cut = std::any_of(holes.begin(), holes.end(), [&](const Block& hole) {
-        return i >= hole.left && i < hole.left + hole.width && j >= hole.bottom &&
-          j < hole.bottom + hole.height;
-      });
-      if (!cut)
-      {
-        for (const Index id :
-          { point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1) })
-        {
-          ids.push_back(id);
-        }
-      }
-    }
-  }
-  hexsweep::QuadMesh mesh;
-  mesh.points =
-    Eigen::Map<const Points>(coordinates.data(), static_cast<Index>(coordinates.size()) / 3, 3);
-  mesh.quads = facesOf<Quads>(ids);
-
-  std::vector<bool> inner(static_cast<std::size_t>(mesh.points.rows()), true);
-  for (const Loop& loop : hexsweep::checkSurface(mesh.quads, mesh.points.rows(), "plate").loops)
-  {
-    for (const Index v : loop)
-    {
-      inner[static_cast<std::size_t>(v)] = false;
-    }
-  }
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-shake / cells, shake / cells);
-  for (Index i = 0; i < mesh.points.rows(); ++i)
-  {
-    const double dx = uniform(generator);
-    const double dy = uniform(generator);
-    if (inner[static_cast<std::size_t>(i)])
-    {
-      mesh.points.row(i) += Eigen::RowVector3d(dx, dy, 0.0);
-    }
-  }
-  return mesh;
-}
+hexsweep::QuadMesh quadPlate(
+  int cells, const std::vector<Block>& holes, double shake = 0.0, unsigned seed = 1);
 
 /// The same in triangles, each square cut along a diagonal that chance picks.
-inline TriangleMesh plate(
-  int cells, const std::vector<Block>& holes, double shake = 0.0, unsigned seed = 1)
-{
-  const hexsweep::QuadMesh quads = quadPlate(cells, holes, shake, seed);
-  std::mt19937 generator(seed + 1);
-  TriangleMesh mesh;
-  mesh.points = quads.points;
-  mesh.triangles.resize(2 * quads.quads.rows(), 3);
-  for (Index q = 0; q < quads.quads.rows(); ++q)
-  {
-    const Index s = generator() % 2;
-    const auto corner = [&](Index c) { return quads.quads(q, (s + c) % 4); };
-    mesh.triangles.row(2 * q) << corner(0), corner(1), corner(2);
-    mesh.triangles.row(2 * q + 1) << corner(0), corner(2), corner(3);
-  }
-  return mesh;
-}
+TriangleMesh plate(
+  int cells, const std::vector<Block>& holes, double shake = 0.0, unsigned seed = 1);
 
 /// Three holes that fit plates of 12 cells.
-inline std::vector<Block> threeHoles()
-{
-  return { { 2, 2, 2, 2 }, { 7, 3, 3, 2 }, { 4, 7, 2, 3 } };
-}
+std::vector<Block> threeHoles();
 
 /// Lifts points over the plane: z += height(x, y).
-inline Points lifted(Points points, const std::function<double(double, double)>& height)
-{
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    points(i, 2) += height(points(i, 0), points(i, 1));
-  }
-  return points;
-}
+Points lifted(Points points, const std::function<double(double, double)>& height);
 
 /// A bump that vanishes on the edges of the unit square.
-inline double bump(double x, double y)
-{
-  return 3.0 * x * (1.0 - x) * y * (1.0 - y) * (1.0 + 0.5 * x);
-}
+double bump(double x, double y);
 
 /// A plate of 12 x 12 cells with the first of threeHoles(), lifted by a multiple of bump().
-inline TriangleMesh curvedPlate(
-  std::size_t holes, double shake, double height = 1.0, unsigned seed = 1)
-{
-  std::vector<Block> blocks = threeHoles();
-  blocks.resize(holes);
-  TriangleMesh mesh = plate(12, blocks, shake, seed);
-  mesh.points = lifted(mesh.points, [height](double x, double y) { return height * bump(x, y); });
-  return mesh;
-}
+TriangleMesh curvedPlate(std::size_t holes, double shake, double height = 1.0, unsigned seed = 1);
 
 /// x -> offset + scale * turn x.
 struct Similarity
@@ -240,12 +97,7 @@ struct Similarity
   }
 };
 
-inline Eigen::Matrix3d someTurn()
-{
-  return (Eigen::AngleAxisd(0.9, Eigen::Vector3d(0.3, 1.0, -0.4).normalized()) *
-    Eigen::AngleAxisd(2.1, Eigen::Vector3d::UnitZ()))
-    .toRotationMatrix();
-}
+Eigen::Matrix3d someTurn();
 
 /// Places of the size-1 model, each with the rounding error of its coordinates over the size.
 struct Placement
@@ -255,114 +107,23 @@ struct Placement
   std::string name;
 };
 
-inline std::vector<Placement> placements()
-{
-  const double unit = 1.1e-16;
-  std::vector<Placement> result;
-  for (const double scale : { 1e-6, 1e6 })
-  {
-    const std::string size = "size " + std::to_string(scale);
-    result.push_back({ { scale, Eigen::Matrix3d::Identity(), { 0, 0, 0 } }, unit, size });
-    result.push_back({ { scale, someTurn(), { 0, 0, 0 } }, unit, size + ", turned" });
-    // Six digits of a double are spent on the offset.
-    result.push_back({ { scale, someTurn(), 1e6 * scale * Eigen::RowVector3d(1, -2, 0.5) },
-      2e6 * unit, size + ", turned, offset by a million sizes" });
-  }
-  return result;
-}
+std::vector<Placement> placements();
 
 /// Loops of nodes as rings, both in the order of the loops of the first cap.
-inline std::vector<hexsweep::LoopPair> pairsOf(
-  const Points& first, const Points& second, const std::vector<Loop>& loops)
-{
-  std::vector<hexsweep::LoopPair> pairs;
-  for (const Loop& loop : loops)
-  {
-    hexsweep::LoopPair pair;
-    pair.first.resize(static_cast<Index>(loop.size()), 3);
-    pair.second.resize(pair.first.rows(), 3);
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      pair.first.row(static_cast<Index>(i)) = first.row(loop[i]);
-      pair.second.row(static_cast<Index>(i)) = second.row(loop[i]);
-    }
-    pairs.push_back(std::move(pair));
-  }
-  return pairs;
-}
+std::vector<hexsweep::LoopPair> pairsOf(
+  const Points& first, const Points& second, const std::vector<Loop>& loops);
 
-inline double loopLength(const Points& points, const Loop& loop)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    sum += (points.row(loop[(i + 1) % loop.size()]) - points.row(loop[i])).norm();
-  }
-  return sum;
-}
+double loopLength(const Points& points, const Loop& loop);
 
 /// Boundary loops, the longest first.
-inline std::vector<Loop> loopsOf(const TriangleMesh& mesh)
-{
-  std::vector<Loop> loops =
-    hexsweep::checkSurface(mesh.triangles, mesh.points.rows(), "mesh").loops;
-  std::stable_sort(loops.begin(), loops.end(), [&](const Loop& a, const Loop& b) {
-    return loopLength(mesh.points, a) > loopLength(mesh.points, b);
-  });
-  return loops;
-}
+std::vector<Loop> loopsOf(const TriangleMesh& mesh);
 
 /// Which nodes lie on the boundary.
-inline std::vector<bool> boundaryFlags(const TriangleMesh& mesh)
-{
-  std::vector<bool> flags(static_cast<std::size_t>(mesh.points.rows()), false);
-  for (const Loop& loop : loopsOf(mesh))
-  {
-    for (const Index v : loop)
-    {
-      flags[static_cast<std::size_t>(v)] = true;
-    }
-  }
-  return flags;
-}
+std::vector<bool> boundaryFlags(const TriangleMesh& mesh);
 
 /// Straight linking sides of a few layers between two caps that share loops; an own numbering.
-inline hexsweep::QuadMesh linkingSides(
-  const Points& source, const Points& target, const std::vector<Loop>& loops, Index layers = 3)
-{
-  std::vector<Eigen::RowVector3d> points;
-  std::vector<Index> ids;
-  for (const Loop& loop : loops)
-  {
-    const Index first = static_cast<Index>(points.size());
-    const Index n = static_cast<Index>(loop.size());
-    for (Index k = 0; k <= layers; ++k)
-    {
-      const double t = static_cast<double>(k) / static_cast<double>(layers);
-      for (const Index v : loop)
-      {
-        points.emplace_back((1.0 - t) * source.row(v) + t * target.row(v));
-      }
-    }
-    for (Index k = 0; k < layers; ++k)
-    {
-      for (Index j = 0; j < n; ++j)
-      {
-        const Index a = first + k * n + j;
-        const Index b = first + k * n + (j + 1) % n;
-        ids.insert(ids.end(), { a, b, b + n, a + n });
-      }
-    }
-  }
-  hexsweep::QuadMesh mesh;
-  mesh.points.resize(static_cast<Index>(points.size()), 3);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    mesh.points.row(static_cast<Index>(i)) = points[i];
-  }
-  mesh.quads = facesOf<Quads>(ids);
-  return mesh;
-}
+hexsweep::QuadMesh linkingSides(
+  const Points& source, const Points& target, const std::vector<Loop>& loops, Index layers = 3);
 
 /// The rings of linking quads, from the loops of the source quads.
 inline hexsweep::RingStack traced(
@@ -395,18 +156,7 @@ Faces turnedOver(const Faces& faces)
   return faces.rowwise().reverse();
 }
 
-inline double surfaceArea(const TriangleMesh& mesh)
-{
-  double area = 0.0;
-  for (Index t = 0; t < mesh.triangles.rows(); ++t)
-  {
-    const Eigen::RowVector3d a = mesh.points.row(mesh.triangles(t, 0));
-    const Eigen::RowVector3d u = mesh.points.row(mesh.triangles(t, 1)) - a;
-    const Eigen::RowVector3d v = mesh.points.row(mesh.triangles(t, 2)) - a;
-    area += 0.5 * u.cross(v).norm();
-  }
-  return area;
-}
+double surfaceArea(const TriangleMesh& mesh);
 }
 
 #endif

@@ -18,133 +18,32 @@ namespace test
 using Interior = Points (*)(
   const hexsweep::SweepCage&, const hexsweep::Progress&, const hexsweep::ParallelFor&);
 
-inline hexsweep::SweepBoundary boundaryOf(const Sweep& sweep)
-{
-  const auto loops = hexsweep::checkSurface(sweep.quads, sweep.source.rows(), "source quads").loops;
-  const auto rings =
-    hexsweep::traceLinkingRings(sweep.source, loops, sweep.linkingPoints, sweep.linkingQuads);
-  return hexsweep::gatherSweepBoundary(sweep.source, sweep.target, rings);
-}
+hexsweep::SweepBoundary boundaryOf(const Sweep& sweep);
 
-inline hexsweep::SweepCage cageOf(const Sweep& sweep)
-{
-  return { sweep.source, sweep.target, sweep.quads, boundaryOf(sweep) };
-}
+hexsweep::SweepCage cageOf(const Sweep& sweep);
 
-inline Points run(Interior interior, const Sweep& sweep)
-{
-  return interior(cageOf(sweep), {}, {});
-}
+Points run(Interior interior, const Sweep& sweep);
 
 /// Diagonal of the sweep's box.
-inline double sizeOf(const Sweep& sweep)
-{
-  return (sweep.layers.colwise().maxCoeff() - sweep.layers.colwise().minCoeff()).norm();
-}
+double sizeOf(const Sweep& sweep);
 
 /// A planar cap, turned, sheared and stretched along an arc, with even and graded layers.
-inline void expectAffineSweepsExact(Interior interior)
-{
-  for (const bool hole : { false, true })
-  {
-    for (const auto& positions :
-      { evenLayers(6), std::vector<double>{ 0, 0.02, 0.1, 0.3, 0.7, 1 } })
-    {
-      const Sweep sweep = makeSweep(12, 9, hole, positions, affineMotion);
-      EXPECT_LT(greatestDistance(run(interior, sweep), sweep.layers), 1e-12 * sizeOf(sweep));
-    }
-  }
-}
+void expectAffineSweepsExact(Interior interior);
 
-inline void expectAnySizeAnywhere(Interior interior)
-{
-  const Sweep plain = makeSweep(12, 9, true, evenLayers(5), affineMotion);
-  for (const double scale : { 1e-6, 1e6 })
-  {
-    const Sweep sized = placed(plain, scale, Eigen::RowVector3d::Zero());
-    EXPECT_LT(greatestDistance(run(interior, sized), sized.layers), 1e-12 * sizeOf(sized));
-    const Sweep far = placed(plain, scale, 1e6 * scale * Eigen::RowVector3d(2, -3, 1));
-    // Coordinates keep ten digits of the size there.
-    EXPECT_LT(greatestDistance(run(interior, far), far.layers), 1e-8 * sizeOf(far));
-  }
-}
+void expectAnySizeAnywhere(Interior interior);
 
 /// A curved cap that is turned and scaled as a whole.
-inline void expectSimilaritySweepOfACurvedCapExact(Interior interior)
-{
-  const Motion motion = [](double x, double y, double t) {
-    // Bulges inside, planar on the outer loop.
-    const double bulge = 0.3 * x * (2 - x) * y * (1 - y) * 4;
-    const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(1.1 * t, Eigen::Vector3d(1, 2, 0.5).normalized()).toRotationMatrix();
-    const Eigen::Vector3d path(2 * std::sin(t), 0, 1.5 * t);
-    return Eigen::RowVector3d(
-      ((1 + 0.5 * t) * (turn * Eigen::Vector3d(x, y, bulge)) + path).transpose());
-  };
-  const Sweep sweep = makeSweep(12, 9, false, evenLayers(6), motion);
-  EXPECT_LT(greatestDistance(run(interior, sweep), sweep.layers), 1e-12 * sizeOf(sweep));
-}
+void expectSimilaritySweepOfACurvedCapExact(Interior interior);
 
 /// Everything that bends: rings are no affine images of the loops.
-inline Eigen::RowVector3d bendingMotion(double x, double y, double t)
-{
-  const Eigen::RowVector3d affine = affineMotion(x, y, t);
-  return affine +
-    t * Eigen::RowVector3d(0.08 * std::sin(3 * y), 0.1 * x * x * (1 - t), 0.06 * std::cos(2 * x));
-}
+Eigen::RowVector3d bendingMotion(double x, double y, double t);
 
-inline void expectBoundaryBitForBit(Interior interior)
-{
-  const Sweep sweep = makeSweep(12, 9, true, evenLayers(6), bendingMotion);
-  const Points swept = run(interior, sweep);
-  const Index n = sweep.source.rows();
-  ASSERT_EQ(swept.rows(), 7 * n);
-  EXPECT_TRUE(swept.allFinite());
-  EXPECT_EQ(swept.topRows(n), sweep.source);
-  EXPECT_EQ(swept.bottomRows(n), sweep.target);
-  for (Index k = 0; k <= 6; ++k)
-  {
-    for (const Index id : boundaryOf(sweep).nodes)
-    {
-      EXPECT_EQ(swept.row(k * n + id), sweep.layers.row(k * n + id));
-    }
-  }
-}
+void expectBoundaryBitForBit(Interior interior);
 
 /// Noise in the plane of the loops must not be blown up by a bulging cap.
-inline void expectNearlyPlanarLoopsTame(Interior interior)
-{
-  for (const double noise : { 1e-9, 1e-5, 1e-3 })
-  {
-    const Motion motion = [noise](double x, double y, double t) {
-      const double bulge = 0.5 * x * (2 - x) * y * (1 - y) * 4;
-      const double shake = noise * std::sin(97 * x + 83 * y + 71 * t);
-      return Eigen::RowVector3d(x, y, bulge + shake + 2 * t);
-    };
-    const Sweep sweep = makeSweep(12, 9, false, evenLayers(6), motion);
-    EXPECT_LT(greatestDistance(run(interior, sweep), sweep.layers), 20 * noise);
-  }
-}
+void expectNearlyPlanarLoopsTame(Interior interior);
 
-inline void expectUnusedPointsOnStraightLines(Interior interior)
-{
-  Sweep sweep = makeSweep(6, 5, false, evenLayers(4), affineMotion);
-  const Index n = sweep.source.rows();
-  sweep.source.conservativeResize(n + 1, 3);
-  sweep.target.conservativeResize(n + 1, 3);
-  sweep.source.row(n) << 10, 20, 30;
-  sweep.target.row(n) << 14, 20, 34;
-  const auto boundary = boundaryOf(sweep);
-  const Points swept = interior({ sweep.source, sweep.target, sweep.quads, boundary }, {}, {});
-  for (Index k = 0; k <= 4; ++k)
-  {
-    const double t = boundary.fractions[static_cast<std::size_t>(k)];
-    const Eigen::RowVector3d expected(10 + 4 * t, 20, 30 + 4 * t);
-    EXPECT_LT((swept.row(k * (n + 1) + n) - expected).norm(), 1e-12);
-    EXPECT_LT(
-      greatestDistance(swept.middleRows(k * (n + 1), n), sweep.layers.middleRows(k * n, n)), 1e-11);
-  }
-}
+void expectUnusedPointsOnStraightLines(Interior interior);
 }
 
 #endif

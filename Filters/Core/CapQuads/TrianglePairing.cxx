@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace hexsweep
 {
@@ -41,7 +42,10 @@ public:
   {
     for (std::pair<Index, Index>& edge : this->Kept)
     {
-      edge = std::minmax(edge.first, edge.second);
+      if (edge.first > edge.second)
+      {
+        std::swap(edge.first, edge.second);
+      }
     }
     std::sort(this->Kept.begin(), this->Kept.end());
     this->collect();

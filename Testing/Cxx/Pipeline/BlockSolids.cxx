@@ -4,7 +4,7 @@
 
 namespace test
 {
-Block blockOf(std::array<int, 3> n, const std::function<Point(double, double, double)>& map)
+SolidBlock blockOf(std::array<int, 3> n, const std::function<Point(double, double, double)>& map)
 {
   return { n, [=](int i, int j, int k) {
             return map(static_cast<double>(i) / n[0], static_cast<double>(j) / n[1],
@@ -12,7 +12,7 @@ Block blockOf(std::array<int, 3> n, const std::function<Point(double, double, do
           } };
 }
 
-Grid blockFaces(const Block& block, const std::set<int>& faces, const std::set<int>& asQuads)
+Grid blockFaces(const SolidBlock& block, const std::set<int>& faces, const std::set<int>& asQuads)
 {
   std::vector<Point> points;
   auto grid = Grid::New();

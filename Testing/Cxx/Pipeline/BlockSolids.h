@@ -28,17 +28,18 @@ enum BlockFace
 };
 
 /// (n[0] + 1) x (n[1] + 1) x (n[2] + 1) points.
-struct Block
+struct SolidBlock
 {
   std::array<int, 3> n;
   std::function<Point(int, int, int)> at;
 };
 
 /// A block whose points are the images of a regular grid in [0, 1]^3.
-Block blockOf(std::array<int, 3> n, const std::function<Point(double, double, double)>& map);
+SolidBlock blockOf(std::array<int, 3> n, const std::function<Point(double, double, double)>& map);
 
 /// Some faces of a block, outward, each with points of its own, as quads or as triangles.
-Grid blockFaces(const Block& block, const std::set<int>& faces, const std::set<int>& asQuads = {});
+Grid blockFaces(
+  const SolidBlock& block, const std::set<int>& faces, const std::set<int>& asQuads = {});
 
 std::set<int> allFaces();
 

@@ -109,7 +109,7 @@ void expectConforming(const std::vector<SolidSweep*>& sweeps, std::size_t points
   EXPECT_EQ(faces, (std::map<int, int>{ { 1, outerFaces }, { 2, innerFaces } }));
 }
 
-void expectVolume(SolidSweep& sweep, const Block& block)
+void expectVolume(SolidSweep& sweep, const SolidBlock& block)
 {
   const double volume = enclosedVolume(blockFaces(block, allFaces()));
   EXPECT_NEAR(volumeOf(sweep.hexes()) / std::abs(volume), 1.0, 0.02);
@@ -119,21 +119,21 @@ TEST(SweepChains, ThreeStackedAndOneBeside)
 {
   const auto first = sweepWedge();
   // On top: the target quads of each are the source quads of the next.
-  const Block secondBlock = blockOf(Tessellation, onWedge);
+  const SolidBlock secondBlock = blockOf(Tessellation, onWedge);
   const auto second = sweep(blockFaces(secondBlock, allFaces()),
     cellsWith(first->boundary(), hexsweep::arrays::BoundaryPart, 1), Bottom, 3);
-  const Block thirdBlock = blockOf(Tessellation, onTop);
+  const SolidBlock thirdBlock = blockOf(Tessellation, onTop);
   const auto third = sweep(blockFaces(thirdBlock, allFaces()),
     cellsWith(second->boundary(), hexsweep::arrays::BoundaryPart, 1), Bottom, 2);
 
   // Beside: the quads of the first one's right face stand for the left face of the neighbour.
   constexpr int Beside = 4;
-  const Block block = { { Beside, QuadsV, Layers }, [&](int i, int j, int k) {
-                         const double t = static_cast<double>(i) / Beside;
-                         const double bend = 0.2 * t * (1.0 - t);
-                         return along(nodeOf(*first, QuadsU, j, k), t,
-                           turned({ 2.0, 0.1 * j + bend, 0.1 * k + bend }));
-                       } };
+  const SolidBlock block = { { Beside, QuadsV, Layers }, [&](int i, int j, int k) {
+                              const double t = static_cast<double>(i) / Beside;
+                              const double bend = 0.2 * t * (1.0 - t);
+                              return along(nodeOf(*first, QuadsU, j, k), t,
+                                turned({ 2.0, 0.1 * j + bend, 0.1 * k + bend }));
+                            } };
   Grid besideSolid = blockFaces(block, { Bottom, Top, Right, Front, Back });
   addFace(besideSolid, cellsWith(first->boundary(), hexsweep::arrays::BoundaryId, Right), Left);
   const auto beside = sweep(besideSolid, blockFaces(block, { Bottom }, { Bottom }), Bottom, Layers);
@@ -189,8 +189,8 @@ TEST_P(SweepNeighbours, SharedNodesAreKept)
   };
   // Right-handed (a, b, k) or (b, a, k).
   const bool swap = alongV == high;
-  const Block block = { swap ? std::array<int, 3>{ Away, length, Layers }
-                             : std::array<int, 3>{ length, Away, Layers },
+  const SolidBlock block = { swap ? std::array<int, 3>{ Away, length, Layers }
+                                  : std::array<int, 3>{ length, Away, Layers },
     [&](int i, int j, int k) { return swap ? at(j, i, k) : at(i, j, k); } };
   const int shared = swap ? Left : Front;
   std::set<int> others = allFaces();
@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(Chains, SweepNeighbours,
 /// A block, some of whose faces are meshed with quads.
 struct MeshedBlock
 {
-  Block block;
+  SolidBlock block;
   std::set<int> quads;
 
   Grid solid() const { return blockFaces(this->block, allFaces(), this->quads); }
@@ -285,11 +285,11 @@ TEST(SweepChains, MadeQuadsBeginAtTheNodesOfMeshedSides)
 }
 
 /// The left face in two: quads below or beside a border, triangles beyond it.
-Grid withHalfOfLeftFace(const Block& block, int quads, int triangles, bool besideEachOther)
+Grid withHalfOfLeftFace(const SolidBlock& block, int quads, int triangles, bool besideEachOther)
 {
   Grid solid = blockFaces(block, { Bottom, Top, Right, Front, Back });
   const auto part = [&](int from, int to, bool asQuads) {
-    Block half = block;
+    SolidBlock half = block;
     half.n[besideEachOther ? 1 : 2] = to - from;
     half.at = [=](int i, int j, int k) {
       return besideEachOther ? block.at(i, j + from, k) : block.at(i, j, k + from);
@@ -303,7 +303,7 @@ Grid withHalfOfLeftFace(const Block& block, int quads, int triangles, bool besid
 
 TEST(SweepChains, PartOfASideIsKept)
 {
-  const Block block = blockOf({ 5, 6, 3 }, wedge);
+  const SolidBlock block = blockOf({ 5, 6, 3 }, wedge);
   const Grid solid = withHalfOfLeftFace(block, 2, 4, true);
   const auto swept = sweep(solid, MeshedBlock{ block, {} }.source(), Bottom, 3);
   const Grid found = cellsWith(swept->boundary(), hexsweep::arrays::BoundaryId, Left);
@@ -324,7 +324,7 @@ TEST(SweepChains, PartOfASideIsKept)
 
 TEST(SweepChains, QuadsThatEndBelowTheTargetAreNotKept)
 {
-  const Block block = blockOf({ 5, 4, 6 }, wedge);
+  const SolidBlock block = blockOf({ 5, 4, 6 }, wedge);
   const Grid solid = withHalfOfLeftFace(block, 2, 4, false);
   SolidSweep swept(solid, MeshedBlock{ block, {} }.source());
   swept.name({ Bottom }, { Top });

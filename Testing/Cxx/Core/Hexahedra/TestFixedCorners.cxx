@@ -18,7 +18,7 @@ using hexsweep::ConflictCause;
 using hexsweep::FixedCorners;
 using hexsweep::HexBoxes;
 using hexsweep::Validity;
-using test::Block;
+using test::HexBlock;
 using test::Index;
 using test::Points;
 
@@ -29,7 +29,7 @@ Index node(Index i, Index j, Index k)
   return (k * (N + 1) + j) * (N + 1) + i;
 }
 
-FixedCorners conflictsOf(const Block& block)
+FixedCorners conflictsOf(const HexBlock& block)
 {
   return hexsweep::fixedCorners(block.points, block.hexes, block.fixed);
 }
@@ -59,14 +59,14 @@ std::set<Index> notCertified(const Points& points, const hexsweep::Hexes& hexes)
 }
 
 /// A node of the bottom drawn over its neighbour: the quads beyond turn over.
-Block foldedBlock()
+HexBlock foldedBlock()
 {
-  Block block = test::makeBlock(N);
+  HexBlock block = test::makeBlock(N);
   block.points.row(node(2, 2, 0)) << 3.3, 2.2, 0.0;
   return block;
 }
 
-HexBoxes cubes(const Block& block)
+HexBoxes cubes(const HexBlock& block)
 {
   return HexBoxes::Ones(block.hexes.rows(), 3);
 }
@@ -74,7 +74,7 @@ HexBoxes cubes(const Block& block)
 
 TEST(FixedCornersOfHexes, AFoldInAPlaneCapIsAConflict)
 {
-  const Block block = foldedBlock();
+  const HexBlock block = foldedBlock();
   const FixedCorners fixed = conflictsOf(block);
   ASSERT_FALSE(fixed.conflicts.empty());
   EXPECT_LE(fixed.floor, 0.0);
@@ -97,7 +97,7 @@ TEST(FixedCornersOfHexes, AFoldInAPlaneCapIsAConflict)
 
 TEST(FixedCornersOfHexes, UntanglingMendsWhatTheFoldLeaves)
 {
-  const Block block = foldedBlock();
+  const HexBlock block = foldedBlock();
   const FixedCorners fixed = conflictsOf(block);
   const auto result =
     hexsweep::untangleHexes(test::shaken(block, 0.5, 1), block.hexes, cubes(block), block.fixed);
@@ -114,7 +114,7 @@ TEST(FixedCornersOfHexes, SteepCapsAreNoConflict)
   // look outwards, and the node above may well stand over it.
   for (const double height : { 3.0, -50.0 })
   {
-    Block block = test::makeBlock(N);
+    HexBlock block = test::makeBlock(N);
     block.points(node(2, 2, 0), 2) = height;
     EXPECT_TRUE(conflictsOf(block).conflicts.empty());
     EXPECT_DOUBLE_EQ(conflictsOf(block).floor, 1.0);
@@ -124,7 +124,7 @@ TEST(FixedCornersOfHexes, SteepCapsAreNoConflict)
 TEST(FixedCornersOfHexes, ColumnsThatRunBackAndEdgesWithoutLength)
 {
   // Side x = 0: the ring of layer 2 below that of layer 1.
-  Block back = test::makeBlock(N);
+  HexBlock back = test::makeBlock(N);
   back.points(node(0, 2, 2), 2) = 0.4;
   const FixedCorners fixed = conflictsOf(back);
   ASSERT_FALSE(fixed.conflicts.empty());
@@ -134,7 +134,7 @@ TEST(FixedCornersOfHexes, ColumnsThatRunBackAndEdgesWithoutLength)
     EXPECT_EQ(conflict.hex % N, 0); // at that side
   }
 
-  Block collapsed = test::makeBlock(N);
+  HexBlock collapsed = test::makeBlock(N);
   collapsed.points.row(node(0, 2, 2)) = collapsed.points.row(node(0, 2, 1));
   const FixedCorners lost = conflictsOf(collapsed);
   // The two hexahedra on either side of the column, in layer 1.
@@ -159,14 +159,14 @@ TEST(FixedCornersOfHexes, ColumnsThatRunBackAndEdgesWithoutLength)
 TEST(FixedCornersOfHexes, AHexWithoutFreeNodesIsCertified)
 {
   // One cube, all nodes fixed, shaken until it is positive at its corners only.
-  Block block = test::makeBlock(1);
+  HexBlock block = test::makeBlock(1);
   const Points cube = block.points;
   const std::vector<bool> none(8, false);
   Index inside = 0;
   Index valid = 0;
   for (unsigned seed = 0; seed < 20000 && (inside < 5 || valid < 5); ++seed)
   {
-    Block loose = block;
+    HexBlock loose = block;
     loose.fixed = none;
     block.points = test::shaken(loose, 0.55, seed);
     const Validity validity = hexsweep::hexQualities(block.points, block.hexes)[0].validity;
@@ -190,13 +190,13 @@ TEST(FixedCornersOfHexes, AHexWithoutFreeNodesIsCertified)
 
 TEST(FixedCornersOfHexes, TheSameAtAnySizeAndWhereverTheyAre)
 {
-  const Block block = foldedBlock();
+  const HexBlock block = foldedBlock();
   const auto expected = hexesOf(conflictsOf(block));
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 0.5).normalized()).toRotationMatrix();
   for (const double scale : { 1e-6, 1e6 })
   {
-    Block placed = block;
+    HexBlock placed = block;
     placed.points = scale * block.points * turn.transpose();
     placed.points.rowwise() += 10.0 * scale * Eigen::RowVector3d(1, -2, 3);
     EXPECT_EQ(hexesOf(conflictsOf(placed)), expected);

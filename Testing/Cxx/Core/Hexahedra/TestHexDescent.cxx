@@ -47,7 +47,7 @@ CornerSum cornerSum(const Points& points, const hexsweep::Hexes& hexes, double e
 /// Eight cubes of a bent block whose only free node is the one in the middle, far from there.
 struct OneFreeNode
 {
-  test::Block block = test::makeBlock(2);
+  test::HexBlock block = test::makeBlock(2);
   Points start;
   static constexpr Index Free = 13;
 
@@ -118,7 +118,7 @@ TEST(HexDescent, FindsTheSamePlaceFromEverywhere)
 
 TEST(HexDescent, WithoutFreeNodesNothingMoves)
 {
-  const test::Block block = test::makeBlock(1);
+  const test::HexBlock block = test::makeBlock(1);
   const hexsweep::HexDescent descent(
     block.points, block.hexes, hexsweep::HexBoxes::Ones(1, 3), std::vector<bool>(8, false));
   EXPECT_FALSE(descent.hasFreeNodes());

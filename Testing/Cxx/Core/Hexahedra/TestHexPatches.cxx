@@ -9,7 +9,7 @@ namespace
 using hexsweep::HexesAtNodes;
 using hexsweep::HexPatch;
 using hexsweep::hexPatches;
-using test::Block;
+using test::HexBlock;
 using test::Index;
 
 // Cube (i, j, k) of a block of n.
@@ -21,7 +21,7 @@ Index cube(Index n, Index i, Index j, Index k)
 
 TEST(HexPatches, HexesAtEachNode)
 {
-  const Block block = test::makeBlock(3);
+  const HexBlock block = test::makeBlock(3);
   const HexesAtNodes atNodes(block.hexes, block.points.rows());
   for (Index i = 0; i < block.points.rows(); ++i)
   {
@@ -41,7 +41,7 @@ TEST(HexPatches, HexesAtEachNode)
 TEST(HexPatches, RingsAreBoxesOfCubes)
 {
   const Index n = 9;
-  const Block block = test::makeBlock(n);
+  const HexBlock block = test::makeBlock(n);
   const HexesAtNodes atNodes(block.hexes, block.points.rows());
   for (const int rings : { 0, 1, 2, 3 })
   {
@@ -68,7 +68,7 @@ TEST(HexPatches, RingsAreBoxesOfCubes)
 TEST(HexPatches, PiecesThatTouchAreOne)
 {
   const Index n = 9;
-  const Block block = test::makeBlock(n);
+  const HexBlock block = test::makeBlock(n);
   const HexesAtNodes atNodes(block.hexes, block.points.rows());
   const std::vector<Index> cells{ cube(n, 1, 4, 4), cube(n, 7, 4, 4) };
   EXPECT_EQ(hexPatches(block.hexes, atNodes, cells, 1, block.fixed).size(), 2u);

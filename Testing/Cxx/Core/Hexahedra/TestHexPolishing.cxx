@@ -9,7 +9,7 @@
 namespace
 {
 using hexsweep::polishHexes;
-using test::Block;
+using test::HexBlock;
 using test::Index;
 using test::Points;
 
@@ -25,7 +25,7 @@ void backwards(Index count, const std::function<void(Index)>& call)
 
 TEST(HexPolishing, RaisesTheMeanAndKeepsTheMinimum)
 {
-  const Block block = test::makeBlock(6);
+  const HexBlock block = test::makeBlock(6);
   for (const unsigned seed : { 1u, 2u, 3u })
   {
     for (const double amount : { 0.2, 0.35, 0.5 })
@@ -58,7 +58,7 @@ TEST(HexPolishing, RaisesTheMeanAndKeepsTheMinimum)
 
 TEST(HexPolishing, FindsTheCubesAgain)
 {
-  const Block block = test::makeBlock(5);
+  const HexBlock block = test::makeBlock(5);
   const Points start = test::shaken(block, 0.3, 7);
   const Points points = polishHexes(start, block.hexes, block.fixed, 60).points;
   // Nodes of cubes better than 0.95 stay.
@@ -67,7 +67,7 @@ TEST(HexPolishing, FindsTheCubesAgain)
 
 TEST(HexPolishing, SizeDoesNotMatterNorDoesTheOrderOfTheWork)
 {
-  const Block block = test::makeBlock(18);
+  const HexBlock block = test::makeBlock(18);
   const Points start = test::shaken(block, 0.4, 4);
   const Points points = polishHexes(start, block.hexes, block.fixed, 3).points;
   Index mostCalls = 0;
@@ -86,7 +86,7 @@ TEST(HexPolishing, SizeDoesNotMatterNorDoesTheOrderOfTheWork)
 
 TEST(HexPolishing, GoodHexesStayAsTheyAre)
 {
-  const Block block = test::makeBlock(4);
+  const HexBlock block = test::makeBlock(4);
   const auto result = polishHexes(block.points, block.hexes, block.fixed, 5);
   EXPECT_EQ(result.points, block.points);
   EXPECT_EQ(result.movedNodes, 0);
@@ -94,7 +94,7 @@ TEST(HexPolishing, GoodHexesStayAsTheyAre)
 
 TEST(HexPolishing, CanBeAborted)
 {
-  const Block block = test::makeBlock(4);
+  const HexBlock block = test::makeBlock(4);
   EXPECT_THROW(
     polishHexes(block.points, block.hexes, block.fixed, 5, {}, [](double) { return false; }),
     hexsweep::Aborted);

@@ -16,11 +16,11 @@ using hexsweep::HexBoxes;
 using hexsweep::HexDescent;
 using hexsweep::HexSamples;
 using hexsweep::UntangledHexes;
-using test::Block;
+using test::HexBlock;
 using test::Index;
 using test::Points;
 
-HexBoxes cubes(const Block& block)
+HexBoxes cubes(const HexBlock& block)
 {
   return HexBoxes::Ones(block.hexes.rows(), 3);
 }
@@ -35,7 +35,7 @@ std::vector<bool> opposite(std::vector<bool> flags)
 TEST(HexDescent, FindsTheCubesAgain)
 {
   // The undisturbed block is the minimum: every Jacobian is the identity.
-  const Block block = test::makeBlock(3);
+  const HexBlock block = test::makeBlock(3);
   const HexDescent descent(block.points, block.hexes, cubes(block), opposite(block.fixed));
   for (const HexSamples samples : { HexSamples::Corners, HexSamples::Lattice })
   {
@@ -51,7 +51,7 @@ TEST(HexDescent, FindsTheCubesAgain)
 
 TEST(HexDescent, BoxesSetTheScale)
 {
-  Block block = test::makeBlock(3);
+  HexBlock block = test::makeBlock(3);
   block.points.col(1) *= 1e-3;
   block.points *= 1e6;
   HexBoxes boxes = cubes(block) * 1e6;
@@ -72,7 +72,7 @@ TEST(HexDescent, BoxesSetTheScale)
 
 TEST(HexUntangling, MendsABlockShakenInside)
 {
-  const Block block = test::makeBlock(6);
+  const HexBlock block = test::makeBlock(6);
   for (const unsigned seed : { 1u, 2u, 3u })
   {
     const Points start = test::shaken(block, 0.9, seed);
@@ -95,7 +95,7 @@ TEST(HexUntangling, MendsABlockShakenInside)
 
 TEST(HexUntangling, LeavesWhatIsFarAway)
 {
-  const Block block = test::makeBlock(12);
+  const HexBlock block = test::makeBlock(12);
   Points start = block.points;
   const Index middle = (6 * 13 + 6) * 13 + 6;
   start(middle, 0) += 1.4; // beyond its neighbour
@@ -117,7 +117,7 @@ TEST(HexUntangling, MendsWhatIsPositiveAtItsCornersOnly)
 {
   // Johnen, Weill, Remacle 2017 warn of such: positive corners, negative inside. Found by search
   // here: the cube of a block of three, its eight nodes free.
-  const Block block = test::makeBlock(3);
+  const HexBlock block = test::makeBlock(3);
   const Index center = (1 * 3 + 1) * 3 + 1;
   for (unsigned seed = 0; seed < 100000; ++seed)
   {
@@ -141,7 +141,7 @@ TEST(HexUntangling, MendsWhatIsPositiveAtItsCornersOnly)
 
 TEST(HexUntangling, SaysWhatFixedNodesForbidAndMendsTheRest)
 {
-  Block block = test::makeBlock(5);
+  HexBlock block = test::makeBlock(5);
   // A corner of the block that is pushed through: all four of its nodes are fixed.
   block.points.row(0) << 1.5, 1.5, 1.5;
   Points start = test::shaken(block, 0.0, 1);
@@ -164,7 +164,7 @@ TEST(HexUntangling, SaysWhatFixedNodesForbidAndMendsTheRest)
 
 TEST(HexUntangling, FixedCornersOfAGoodBlock)
 {
-  const Block block = test::makeBlock(3);
+  const HexBlock block = test::makeBlock(3);
   const auto fixed = hexsweep::fixedCorners(block.points, block.hexes, block.fixed);
   EXPECT_DOUBLE_EQ(fixed.floor, 1.0);
   EXPECT_TRUE(fixed.conflicts.empty());
@@ -178,7 +178,7 @@ TEST(HexUntangling, FixedCornersOfAGoodBlock)
 TEST(HexUntangling, SpendsNoMoreThanItsBudget)
 {
   // Far beyond repair within a few steps: nodes thrown over several cubes.
-  const Block block = test::makeBlock(6);
+  const HexBlock block = test::makeBlock(6);
   const Index count = block.hexes.rows();
   const Points start = test::shaken(block, 5.0, 1);
   const UntangledHexes result =
@@ -195,7 +195,7 @@ TEST(HexUntangling, SpendsNoMoreThanItsBudget)
 
 TEST(HexUntangling, CanBeAborted)
 {
-  const Block block = test::makeBlock(6);
+  const HexBlock block = test::makeBlock(6);
   EXPECT_THROW(hexsweep::untangleHexes(test::shaken(block, 0.9, 1), block.hexes, cubes(block),
                  block.fixed, {}, [](double) { return false; }),
     hexsweep::Aborted);

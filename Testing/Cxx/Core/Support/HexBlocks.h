@@ -16,7 +16,7 @@ using hexsweep::Hexes;
 using hexsweep::Index;
 using hexsweep::Points;
 
-struct Block
+struct HexBlock
 {
   Points points;
   Hexes hexes;
@@ -24,9 +24,9 @@ struct Block
 };
 
 /// n x n x n cubes of edge length 1.
-inline Block makeBlock(Index n)
+inline HexBlock makeBlock(Index n)
 {
-  Block block;
+  HexBlock block;
   const auto id = [n](Index i, Index j, Index k) { return (k * (n + 1) + j) * (n + 1) + i; };
   block.points.resize((n + 1) * (n + 1) * (n + 1), 3);
   block.fixed.resize(static_cast<std::size_t>(block.points.rows()));
@@ -59,7 +59,7 @@ inline Block makeBlock(Index n)
 }
 
 /// Moves the nodes that are not fixed by up to `amount` along each axis.
-inline Points shaken(const Block& block, double amount, unsigned seed)
+inline Points shaken(const HexBlock& block, double amount, unsigned seed)
 {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> shift(-amount, amount);

@@ -140,7 +140,7 @@ TEST(NothingNamed, ATargetAloneIsTheTarget)
 }
 
 /// 8 x 6 x 2.
-test::Block plate()
+test::SolidBlock plate()
 {
   return test::blockOf({ 8, 6, 2 }, [](double x, double y, double z) {
     return test::Point{ 8.0 * x, 6.0 * y, 2.0 * z };
@@ -216,7 +216,7 @@ TEST(NothingNamed, SizeSetsWhatIsNotSet)
 
 TEST(NothingNamed, AMillionHexahedraAtMost)
 {
-  const test::Block bar = test::blockOf({ 1, 1, 40 }, [](double x, double y, double z) {
+  const test::SolidBlock bar = test::blockOf({ 1, 1, 40 }, [](double x, double y, double z) {
     return test::Point{ x, y, 150.0 * z };
   });
   SolidSweep sweep(test::blockFaces(bar, test::allFaces()));

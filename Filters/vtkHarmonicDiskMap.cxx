@@ -40,6 +40,7 @@ struct MapSettings
 struct MappedCap
 {
   CapDisk disk;
+  CapDisk partner;                    ///< with a partner
   std::vector<double> startFractions; ///< see MatchedLoops
   std::vector<std::string> warnings;
 };
@@ -52,14 +53,12 @@ TriangulationImprovement improvementOf(int type)
                                             : TriangulationImprovement::On;
 }
 
-MappedCap mapWithPartner(const TriangleMesh& cap, vtkDataSet* partner, vtkDataSet* linking,
+MappedCap mapWithPartner(const TriangleMesh& cap, const TriangleMesh& partner, vtkDataSet* linking,
   const MapSettings& settings, const Progress& progress)
 {
-  const TriangleInput other = readTriangles(partner, "partner surface");
-  checkAreas(other, "partner surface");
-  LinkedDisks linked = mapLinkedCaps(cap, other.mesh, readOptionalQuads(linking, "linking sides"),
+  LinkedDisks linked = mapLinkedCaps(cap, partner, readOptionalQuads(linking, "linking sides"),
     settings.weights, settings.matchTolerance, progress, settings.improvement);
-  return { std::move(linked.first), std::move(linked.startFractions),
+  return { std::move(linked.first), std::move(linked.second), std::move(linked.startFractions),
     { describeDoubts(linked.doubts),
       describeMismatch(
         linked.mismatch, "input surface", "ring of the linking sides at this cap") } };
@@ -90,6 +89,7 @@ std::string describeKoebe(const CapDisk& cap, double tolerance, int maximumItera
 vtkHarmonicDiskMap::vtkHarmonicDiskMap()
 {
   this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
@@ -132,9 +132,13 @@ void vtkHarmonicDiskMap::Execute(vtkInformationVector** inputs, vtkInformationVe
     improvementOf(this->ImproveTriangulation), this->MatchTolerance };
   const hexsweep::Progress progress = pipelineProgress(this, 0.1, 0.9);
   MappedCap cap;
-  if (vtkDataSet* partner = inputDataSet(inputs, 1))
+  if (vtkDataSet* partnerData = inputDataSet(inputs, 1))
   {
-    cap = mapWithPartner(surface.mesh, partner, inputDataSet(inputs, 2), settings, progress);
+    TriangleInput partner = readTriangles(partnerData, "partner surface");
+    checkAreas(partner, "partner surface");
+    cap = mapWithPartner(surface.mesh, partner.mesh, inputDataSet(inputs, 2), settings, progress);
+    writeCapDisk(cap.partner, { partnerData, std::move(partner.cellIds), partner.ignoredCells },
+      this->OutputPointsPrecision, this->OutputDisk, vtkUnstructuredGrid::GetData(outputs, 1));
   }
   else
   {

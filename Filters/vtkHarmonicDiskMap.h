@@ -9,9 +9,9 @@
  * Meshing Roundtable, 2013.
  *
  * Alone, this is the disk map of one cap. With the other cap of the sweep as Partner it is the map
- * into a domain that both share: map each cap with the other as its partner and the same linking
- * sides, and vtkSweepQuadProjector (DiskMaps = FromInput) carries quads from one to the other. The
- * shared domain is the unit disk (one loop), an annulus (two), or the disk with circular holes.
+ * into a domain that both share, and vtkSweepQuadProjector (DiskMaps = FromInput) carries quads
+ * from output port 0 to output port 1. The shared domain is the unit disk (one loop), an annulus
+ * (two), or the disk with circular holes.
  *
  * Inputs (vtkUnstructuredGrid or vtkPolyData; polygons and strips are triangulated):
  * - 0 Input: the cap.
@@ -19,21 +19,26 @@
  * - 2 LinkingSides (optional, used with a partner): structured quads between the two caps. Without
  *   them loops are matched by shape; close calls raise a warning.
  *
- * Output: the triangles of the cap with the point arrays `DiskCoordinates` (3 components, z = 0),
- * `OriginalPointIds` (-1 on points that were added at the end: where the partner has a boundary
- * node, on chords, and for ImproveTriangulation) and the cell array `OriginalCellIds`. Field data:
- * `DiskMapDomain` (Disk, Annulus or Circles), `HoleCircles` (centre x, y, radius),
- * `SweepReportMethod` (the weights that were used in the end: Cotangent, IntrinsicCotangent or
- * MeanValue), `SweepReportFlipsBefore` and `SweepReportFlipsAfter` (triangles flipped with the
- * wanted weights, and in the result), `SweepReportEdgeFlips` and `SweepReportAddedPoints` (what
- * ImproveTriangulation did), `SweepReportIgnoredCells` (vertices and lines), `SweepReportLoops`,
- * `SweepReportDirichletEnergy` (no less than the area of the image, which it equals for a conformal
- * map), `SweepReportWorstAngleDistortion` and `SweepReportMeanAngleDistortion` (corners of
- * triangles, in degrees). After Koebe's iteration also `SweepReportKoebeRounds`,
- * `SweepReportKoebeConverged`, `SweepReportKoebeChanges` (a number a round from the second on, see
- * Tolerance) and `SweepReportCircularity` (a number a loop: how far its image was from a circle,
- * over the radius, before its nodes were put onto it). With a partner but no linking sides
- * `SweepReportLoopStarts` (see vtkSweepQuadProjector).
+ * Output port 0, "Mapped Surface": the triangles of the cap with the point arrays `DiskCoordinates`
+ * (3 components, z = 0), `OriginalPointIds` (-1 on points that were added at the end: where the
+ * partner has a boundary node, on chords, and for ImproveTriangulation) and the cell array
+ * `OriginalCellIds`. Field data: `DiskMapDomain` (Disk, Annulus or Circles), `HoleCircles` (centre
+ * x, y, radius), `SweepReportMethod` (the weights that were used in the end: Cotangent,
+ * IntrinsicCotangent or MeanValue), `SweepReportFlipsBefore` and `SweepReportFlipsAfter` (triangles
+ * flipped with the wanted weights, and in the result), `SweepReportEdgeFlips` and
+ * `SweepReportAddedPoints` (what ImproveTriangulation did), `SweepReportIgnoredCells` (vertices and
+ * lines), `SweepReportLoops`, `SweepReportDirichletEnergy` (no less than the area of the image,
+ * which it equals for a conformal map), `SweepReportWorstAngleDistortion` and
+ * `SweepReportMeanAngleDistortion` (corners of triangles, in degrees). After Koebe's iteration also
+ * `SweepReportKoebeRounds`, `SweepReportKoebeConverged`, `SweepReportKoebeChanges` (a number a
+ * round from the second on, see Tolerance) and `SweepReportCircularity` (a number a loop: how far
+ * its image was from a circle, over the radius, before its nodes were put onto it). With a partner
+ * but no linking sides `SweepReportLoopStarts` (see vtkSweepQuadProjector).
+ *
+ * Output port 1, "Partner": the same of the other cap, but for `SweepReportLoopStarts`; empty
+ * without a partner. With linking sides it is, bit for bit, port 0 of a filter that maps the
+ * partner with this cap as its partner. Flips in it raise no warning, see its
+ * `SweepReportFlipsAfter`.
  *
  * In an annulus the map is linear in (log r, angle) over each triangle; flips are counted there.
  * Flips that remain raise a warning.

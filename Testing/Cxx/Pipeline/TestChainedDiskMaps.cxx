@@ -128,6 +128,23 @@ TEST(ChainedDiskMaps, GiveTheSameMeshAsTheProjectorAlone)
   }
 }
 
+TEST(ChainedDiskMaps, OneFilterMapsBothCaps)
+{
+  for (const auto& [name, sweep] : sweeps())
+  {
+    SCOPED_TRACE(name);
+    Chain one(sweep, true);
+    one.Projector->SetTargetSurfaceConnection(one.SourceMap->GetOutputPort(1));
+    Chain alone(sweep, false);
+    vtkUnstructuredGrid* hexes = one.run();
+    ASSERT_GT(hexes->GetNumberOfCells(), 0);
+    EXPECT_EQ(one.TargetMap->GetOutput()->GetNumberOfCells(), 0);
+    vtkUnstructuredGrid* expected = alone.run();
+    ASSERT_EQ(hexes->GetNumberOfCells(), expected->GetNumberOfCells());
+    EXPECT_EQ(test::greatestDistance(hexes, expected), 0.0);
+  }
+}
+
 TEST(ChainedDiskMaps, PolyDataAllTheWay)
 {
   const SweepGrids sweep = test::readCase("taper10");

@@ -232,6 +232,47 @@ TEST(HarmonicDiskMap, WithAPartnerBothCapsShareTheirLoops)
   }
 }
 
+TEST(HarmonicDiskMap, ThePartnerOutputIsWhatAFilterOfItsOwnGives)
+{
+  const std::vector<std::pair<std::string, test::SweepGrids>> sweeps{ { "ubend",
+                                                                        test::readCase("ubend") },
+    { "taper10", test::readCase("taper10") }, { "three holes", test::plateSweep(3) } };
+  for (const auto& [name, sweep] : sweeps)
+  {
+    SCOPED_TRACE(name);
+    for (const bool disk : { false, true })
+    {
+      Map both(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+      Map other(sweep.targetSurface, sweep.sourceSurface, sweep.linkingSides);
+      both.filter->SetOutputDisk(disk);
+      other.filter->SetOutputDisk(disk);
+      both.run();
+      vtkUnstructuredGrid* expected = other.run();
+      vtkUnstructuredGrid* partner = both.filter->GetOutput(1);
+      ASSERT_GT(partner->GetNumberOfCells(), 0);
+      test::expectSameBits(partner, expected);
+      EXPECT_EQ(textReport(partner, hexsweep::arrays::DiskMapDomain),
+        textReport(expected, hexsweep::arrays::DiskMapDomain));
+      if (!disk)
+      {
+        expectOriginals(partner, sweep.targetSurface);
+      }
+    }
+  }
+}
+
+TEST(HarmonicDiskMap, WithoutAPartnerItsOutputIsEmpty)
+{
+  const test::SweepGrids sweep = test::readCase("taper10");
+  Map map(sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides);
+  map.run();
+  ASSERT_GT(map.filter->GetOutput(1)->GetNumberOfCells(), 0);
+  map.filter->SetInputData(1, nullptr);
+  EXPECT_GT(map.run()->GetNumberOfCells(), 0);
+  EXPECT_EQ(map.filter->GetOutput(1)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(map.filter->GetOutput(1)->GetNumberOfCells(), 0);
+}
+
 TEST(HarmonicDiskMap, WithoutLinkingSidesTheChosenStartsAreReported)
 {
   const test::SweepGrids sweep = test::readCase("taper10");

@@ -61,12 +61,6 @@ void addFromCap(const PointsRef& capPoints, const SweepBoundary& boundary, Index
     reportProgress(progress, static_cast<double>(first + count) / static_cast<double>(n));
   }
 }
-
-Progress halfOf(const Progress& progress, double from)
-{
-  return progress ? Progress([&progress, from](double done) { return progress(from + 0.5 * done); })
-                  : Progress();
-}
 }
 
 Points boundaryErrorInterior(const SweepCage& cage, const Progress& progress, const ParallelFor&)
@@ -77,8 +71,8 @@ Points boundaryErrorInterior(const SweepCage& cage, const Progress& progress, co
   const SweepBoundary& boundary = cage.boundary;
   const Index layers = boundary.numberOfLayers();
   Points swept = Points::Zero((layers + 1) * sourcePoints.rows(), 3);
-  addFromCap(sourcePoints, boundary, 0, halfOf(progress, 0.0), swept);
-  addFromCap(targetPoints, boundary, layers, halfOf(progress, 0.5), swept);
+  addFromCap(sourcePoints, boundary, 0, progressPart(progress, 0.0, 0.5), swept);
+  addFromCap(targetPoints, boundary, layers, progressPart(progress, 0.5, 1.0), swept);
   setGivenPoints(sourcePoints, targetPoints, quads, boundary, swept);
   return swept;
 }

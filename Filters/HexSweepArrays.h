@@ -81,7 +81,8 @@ constexpr const char* Prefix = "SweepReport";
 
 // Every filter.
 
-/// Text: what really ran, see the filter.
+/// Text: what really ran: the method of projection (vtkSweepQuadProjector), the methods of the
+/// interior (vtkCageHexInterior, vtkOneToOneSweep). Of vtkHarmonicDiskMap the same as Weights.
 constexpr const char* Method = "SweepReportMethod";
 /// Id: vertex and line cells of the (first) input that were left aside.
 constexpr const char* IgnoredCells = "SweepReportIgnoredCells";
@@ -92,6 +93,8 @@ constexpr const char* Seconds = "SweepReportSeconds";
 
 // Disk maps (vtkHarmonicDiskMap, and outputs 1 and 2 of vtkSweepQuadProjector).
 
+/// Text: the weights that were used in the end: Cotangent, IntrinsicCotangent or MeanValue.
+constexpr const char* Weights = "SweepReportWeights";
 /// Id: boundary loops.
 constexpr const char* Loops = "SweepReportLoops";
 /// Ids: triangles flipped with the wanted weights, and in the result (the projector's: both caps).
@@ -165,7 +168,7 @@ constexpr const char* MinJacobianLowerBound = "SweepReportMinJacobianLowerBound"
 
 /// Texts, one a step of the cascade.
 constexpr const char* Steps = "SweepReportSteps";
-/// One a step: hexahedra that are not certified after it, and how many fewer than before it.
+/// Ids, one a step: hexahedra that are not certified after it, and how many fewer than before it.
 constexpr const char* StepNotCertified = "SweepReportStepNotCertified";
 constexpr const char* StepMended = "SweepReportStepMended";
 /// Id: hexahedra that caps and linking sides alone make bad.
@@ -175,6 +178,8 @@ constexpr const char* CornerConflicts = "SweepReportCornerConflicts";
 
 /// Text: SourceQuads, Solid or made.
 constexpr const char* SourceQuads = "SweepReportSourceQuads";
+/// Text: how the quads came to the target cap.
+constexpr const char* Projection = "SweepReportProjection";
 /// Ids, one a face.
 constexpr const char* SourceFaceIds = "SweepReportSourceFaceIds";
 constexpr const char* TargetFaceIds = "SweepReportTargetFaceIds";

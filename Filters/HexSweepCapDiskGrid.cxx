@@ -56,19 +56,6 @@ DiskDomain domainNamed(const std::string& name)
   return DiskDomain::Disk;
 }
 
-const char* nameOf(Weights weights)
-{
-  switch (weights)
-  {
-    case Weights::MeanValue:
-      return "MeanValue";
-    case Weights::Intrinsic:
-      return "IntrinsicCotangent";
-    default:
-      return "Cotangent";
-  }
-}
-
 Weights weightsNamed(const std::string& name)
 {
   for (const Weights weights : { Weights::MeanValue, Weights::Intrinsic })
@@ -149,6 +136,20 @@ void writeMapReport(const CapDisk& cap, vtkFieldData* field)
   addReport(field, reports::Circularity, cap.circularity);
 }
 
+/// The first text of an array, or of another one where there is no such array; else empty.
+std::string textOf(vtkFieldData* field, const char* name, const char* otherName = nullptr)
+{
+  for (const char* each : { name, otherName })
+  {
+    auto* texts = each ? vtkStringArray::SafeDownCast(field->GetAbstractArray(each)) : nullptr;
+    if (texts && texts->GetNumberOfValues() > 0)
+    {
+      return texts->GetValue(0);
+    }
+  }
+  return {};
+}
+
 Points arrayPoints(vtkDataArray* array)
 {
   Points points(array->GetNumberOfTuples(), 3);
@@ -158,6 +159,19 @@ Points arrayPoints(vtkDataArray* array)
   }
   return points;
 }
+}
+
+const char* nameOf(Weights weights)
+{
+  switch (weights)
+  {
+    case Weights::MeanValue:
+      return "MeanValue";
+    case Weights::Intrinsic:
+      return "IntrinsicCotangent";
+    default:
+      return "Cotangent";
+  }
 }
 
 void writeCapDisk(const CapDisk& cap, const CapOrigin& origin, int precision, bool outputDisk,
@@ -191,6 +205,7 @@ void writeCapDisk(const CapDisk& cap, const CapOrigin& origin, int precision, bo
   vtkFieldData* field = output->GetFieldData();
   field->PassData(origin.data->GetFieldData());
   addReport(field, arrays::DiskMapDomain, std::string(nameOf(cap.domain)));
+  addReport(field, reports::Weights, std::string(nameOf(cap.weights)));
   addReport(field, reports::Method, std::string(nameOf(cap.weights)));
   addReport(field, reports::FlipsBefore, cap.flipsBefore);
   addReport(field, reports::FlipsAfter, static_cast<Index>(cap.flipped.size()));
@@ -228,16 +243,8 @@ CapDisk readCapDisk(vtkDataSet* data, const std::string& what)
     throw InvalidInput("the " + what + ": array " + arrays::DiskCoordinates +
       " has values that are not finite. Apply HarmonicDiskMap again.");
   }
-  const auto* domain =
-    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(arrays::DiskMapDomain));
-  cap.domain = domain && domain->GetNumberOfValues() > 0
-    ? domainNamed(const_cast<vtkStringArray*>(domain)->GetValue(0))
-    : DiskDomain::Disk;
-  const auto* weights =
-    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(reports::Method));
-  cap.weights = weights && weights->GetNumberOfValues() > 0
-    ? weightsNamed(const_cast<vtkStringArray*>(weights)->GetValue(0))
-    : Weights::Cotangent;
+  cap.domain = domainNamed(textOf(data->GetFieldData(), arrays::DiskMapDomain));
+  cap.weights = weightsNamed(textOf(data->GetFieldData(), reports::Weights, reports::Method));
   vtkDataArray* circles = data->GetFieldData()->GetArray(arrays::HoleCircles);
   if (circles && circles->GetNumberOfComponents() == 3)
   {

@@ -17,6 +17,9 @@ class vtkUnstructuredGrid;
 
 namespace hexsweep
 {
+/// Weights as reports name them.
+const char* nameOf(Weights weights);
+
 /// What a cap was read from.
 struct CapOrigin
 {

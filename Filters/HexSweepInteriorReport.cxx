@@ -30,6 +30,12 @@ void addStageReport(vtkFieldData* fieldData, const StageClock& clock)
   addReport(fieldData, reports::Seconds, seconds);
 }
 
+std::vector<std::string> interiorReports()
+{
+  return { reports::Steps, reports::StepNotCertified, reports::StepMended,
+    reports::FloorScaledJacobian, reports::CornerConflicts };
+}
+
 void addStepReport(
   vtkFieldData* fieldData, const SweepInterior& interior, const InteriorOptions& options)
 {
@@ -38,17 +44,17 @@ void addStepReport(
     return;
   }
   std::vector<std::string> names;
-  std::vector<double> notCertified;
-  std::vector<double> mended;
+  std::vector<Index> notCertified;
+  std::vector<Index> mended;
   for (const InteriorStep& step : interior.steps)
   {
     names.push_back(step.name);
-    notCertified.push_back(static_cast<double>(step.notCertified));
-    mended.push_back(static_cast<double>(step.mended));
+    notCertified.push_back(step.notCertified);
+    mended.push_back(step.mended);
   }
   addReport(fieldData, reports::Steps, names);
-  addReport(fieldData, reports::StepNotCertified, notCertified);
-  addReport(fieldData, reports::StepMended, mended);
+  addIds(fieldData, reports::StepNotCertified, notCertified);
+  addIds(fieldData, reports::StepMended, mended);
   addReport(fieldData, reports::FloorScaledJacobian, interior.fixed.floor);
   addReport(
     fieldData, reports::CornerConflicts, static_cast<Index>(interior.fixed.conflicts.size()));

@@ -27,6 +27,9 @@ void addStageReport(vtkFieldData* fieldData, const StageClock& clock);
 void addStepReport(
   vtkFieldData* fieldData, const SweepInterior& interior, const InteriorOptions& options);
 
+/// Names of what addStepReport() may write.
+std::vector<std::string> interiorReports();
+
 /// The settings that decide what else may help.
 struct InteriorSettings
 {

@@ -101,6 +101,10 @@ void addProjectionReport(
   vtkFieldData* field, const SweepProjection& projection, const std::string& method)
 {
   addReport(field, reports::Method, method);
+  if (projection.target)
+  {
+    addReport(field, reports::Weights, std::string(nameOf(projection.target->weights)));
+  }
   addReport(field, reports::InvertedQuads, projection.quality.inverted);
   addReport(field, reports::InvertedBefore, projection.invertedBefore);
   addReport(field, reports::Rounds, static_cast<Index>(projection.rounds));

@@ -66,6 +66,7 @@ void acceptSurfaces(vtkInformation* portInformation)
   portInformation->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  portInformation->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
 }
 
 vtkDataSet* inputDataSet(vtkInformationVector** inputs, int port)

@@ -23,7 +23,7 @@ class vtkInformationVector;
 namespace hexsweep
 {
 /// Declares that an input port takes unstructured grids and polygonal data. The port is checked by
-/// the filter itself, whose message says more than the executive's.
+/// the filter itself, whose message says more than the executive's: it may have no input, too.
 void acceptSurfaces(vtkInformation* portInformation);
 
 /// The data set on a port, or nullptr where nothing is connected (or the object is no point set).

@@ -10,6 +10,8 @@
 #include "Core/Solids/SweepSize.h"
 #include "HexSweepArrays.h"
 #include "HexSweepBoundaryGrid.h"
+#include "HexSweepCapDiskGrid.h"
+#include "HexSweepChoices.h"
 #include "HexSweepLinkingReport.h"
 #include "HexSweepSolidQuads.h"
 #include "HexSweepVolumeId.h"
@@ -156,7 +158,7 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
   SolidCageInput cageInput{ solid.solid, topology, std::move(sized.quads.mesh),
     sidePatches(solid.input, solid.solid, topology), sized.layers, settings.matchTolerance,
     settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION, settings.hexes.ensureValid,
-    settings.hexes.improveQuality };
+    settings.hexes.improveQuality, settings.projection, settings.weights, settings.improvement };
   const SolidCage cage = makeSolidCage(cageInput, progressPart(progress, 0.1, 0.48));
   stages.finish(cage.stages);
   if (!settings.targetIsNamed)
@@ -172,6 +174,12 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
   carryVolumeId(solid.data, hexes);
   addReports(cage, solid.solid, topology, sized.quads.origin, hexes->GetFieldData());
   addReport(hexes->GetFieldData(), reports::Size, sized.size);
+  addReport(hexes->GetFieldData(), reports::Projection, nameOf(settings.projection));
+  if (cage.projection.target)
+  {
+    addReport(hexes->GetFieldData(), reports::Weights,
+      std::string(nameOf(cage.projection.target->weights)));
+  }
   stages.finish("Output");
 
   SolidSweepResult result;

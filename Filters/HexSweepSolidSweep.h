@@ -7,6 +7,7 @@
 #ifndef HexSweepSolidSweep_h
 #define HexSweepSolidSweep_h
 
+#include "Core/CapQuads/SweepProjection.h"
 #include "Core/Linking/LinkingSides.h"
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepTopology.h"
@@ -36,6 +37,9 @@ struct SolidSweepSettings
   /// Where they name neither number, size nor positions, `size` counts.
   LayerRequest layers;
   double matchTolerance = 1e-6;
+  ProjectionMethod projection = ProjectionMethod::Harmonic;
+  Weights weights = Weights::Cotangent;
+  TriangulationImprovement improvement = TriangulationImprovement::Automatic;
   bool targetIsNamed = false; ///< one that is not may not lie behind the source
   HexOutputSettings hexes;
 };

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepWriter.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
+#include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -10,6 +12,8 @@
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
 
 namespace hexsweep
 {
@@ -65,6 +69,20 @@ void setCells(vtkUnstructuredGrid* grid, const FacesRef& cells, int cellType)
 void addReport(vtkFieldData* fieldData, const char* name, double value)
 {
   addReport(fieldData, name, std::vector<double>{ value });
+}
+
+void passFieldData(vtkDataSet* input, vtkFieldData* output, const std::vector<std::string>& own)
+{
+  vtkFieldData* fieldData = input->GetFieldData();
+  for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = fieldData->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (std::find(own.begin(), own.end(), name) == own.end())
+    {
+      output->AddArray(array);
+    }
+  }
 }
 
 void addIds(vtkFieldData* data, const char* name, const std::vector<Index>& ids)

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataSet;
 class vtkFieldData;
 class vtkPoints;
 class vtkUnstructuredGrid;
@@ -26,6 +27,12 @@ void setCells(vtkUnstructuredGrid* grid, const FacesRef& cells, int cellType);
 
 /// An array of ids, one a tuple; to field data, point data or cell data.
 void addIds(vtkFieldData* data, const char* name, const std::vector<Index>& ids);
+
+/**
+ * Hands field data on, but for arrays that the filter may write itself: those of its input are
+ * about another mesh.
+ */
+void passFieldData(vtkDataSet* input, vtkFieldData* output, const std::vector<std::string>& own);
 
 /// Field-data entries of the report (SweepReport*).
 void addReport(vtkFieldData* fieldData, const char* name, double value);

@@ -3,10 +3,11 @@
 
 #include "Core/Interior/CageMesh.h"
 #include "Core/Interior/TopologicalModel.h"
-#include "HexSweepArrays.h"
 #include "HexSweepCage.h"
+#include "HexSweepChoices.h"
 #include "HexSweepHexOutput.h"
 #include "HexSweepRun.h"
+#include "HexSweepWriter.h"
 
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
@@ -40,11 +41,7 @@ vtkCageHexInterior::vtkCageHexInterior()
 
 int vtkCageHexInterior::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  // All three are needed; optional here so that RequestData says which one is missing, and why.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  hexsweep::acceptSurfaces(info);
   return 1;
 }
 
@@ -73,6 +70,8 @@ int vtkCageHexInterior::RequestData(
     {
       return;
     }
+    hexsweep::checkInteriorMethod(this->Method);
+    hexsweep::checkPrecision(this->OutputPointsPrecision);
     hexsweep::StageClock clock;
     const hexsweep::CageInput cage = hexsweep::readCage(sourceData, targetData, linkingData,
       this->MatchTolerance, hexsweep::pipelineProgress(this, 0.0, 0.05));
@@ -93,10 +92,8 @@ int vtkCageHexInterior::RequestData(
     source.cellIds = cage.sourceCellIds;
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
     vtkFieldData* fieldData = output->GetFieldData();
-    fieldData->PassData(targetData->GetFieldData());
-    fieldData->PassData(sourceData->GetFieldData());
-    // The quads' own floor is not that of the hexahedra.
-    fieldData->RemoveArray(hexsweep::reports::FloorScaledJacobian);
+    hexsweep::passFieldData(targetData, fieldData, hexsweep::interiorReports());
+    hexsweep::passFieldData(sourceData, fieldData, hexsweep::interiorReports());
     const hexsweep::HexOutput hexes = hexsweep::writeHexes(
       cage, source, settings, clock, hexsweep::pipelineProgress(this, 0.05, 0.99), output);
     if (this->GenerateTopologicalModel)

@@ -33,6 +33,9 @@
  *
  * Inverted or degenerate hexahedra raise a warning that says how many, where the first ten are and
  * what to do. Input that cannot be swept raises one error, and the output is empty.
+ *
+ * Methods, weights and other choices take any number; one that means nothing is an error when the
+ * filter runs, which names those that do.
  */
 #ifndef vtkCageHexInterior_h
 #define vtkCageHexInterior_h
@@ -117,7 +120,7 @@ public:
    * Precision of the output points, a vtkAlgorithm::DesiredOutputPrecision. DEFAULT_PRECISION (the
    * default) means double. Quality is judged on the coordinates as stored.
    */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 

@@ -9,6 +9,7 @@
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepArrays.h"
 #include "HexSweepCapDiskGrid.h"
+#include "HexSweepChoices.h"
 #include "HexSweepReader.h"
 #include "HexSweepRun.h"
 #include "HexSweepWriter.h"
@@ -44,14 +45,6 @@ struct MappedCap
   std::vector<double> startFractions; ///< see MatchedLoops
   std::vector<std::string> warnings;
 };
-
-/// @param type a vtkHarmonicDiskMap::ImproveTriangulationType.
-TriangulationImprovement improvementOf(int type)
-{
-  return type == vtkHarmonicDiskMap::OFF    ? TriangulationImprovement::Off
-    : type == vtkHarmonicDiskMap::AUTOMATIC ? TriangulationImprovement::Automatic
-                                            : TriangulationImprovement::On;
-}
 
 MappedCap mapWithPartner(const TriangleMesh& cap, const TriangleMesh& partner, vtkDataSet* linking,
   const MapSettings& settings, const Progress& progress)
@@ -93,10 +86,9 @@ vtkHarmonicDiskMap::vtkHarmonicDiskMap()
 }
 
 //------------------------------------------------------------------------------
-int vtkHarmonicDiskMap::FillInputPortInformation(int port, vtkInformation* info)
+int vtkHarmonicDiskMap::FillInputPortInformation(int, vtkInformation* info)
 {
   acceptSurfaces(info);
-  info->Set(INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
 }
 
@@ -114,22 +106,13 @@ void vtkHarmonicDiskMap::Execute(vtkInformationVector** inputs, vtkInformationVe
   {
     return;
   }
-  if (this->HoleTreatment < KOEBE || this->HoleTreatment > FILLED)
-  {
-    throw InvalidInput("HoleTreatment " + std::to_string(this->HoleTreatment) +
-      " does not exist. Choose Koebe (0), ArcLength (1) or Filled (2).");
-  }
-  if (this->ImproveTriangulation < OFF || this->ImproveTriangulation > ON)
-  {
-    throw InvalidInput("ImproveTriangulation " + std::to_string(this->ImproveTriangulation) +
-      " does not exist. Choose Off (0), Automatic (1) or On (2).");
-  }
+  checkChoice("HoleTreatment", this->HoleTreatment, { "Koebe", "ArcLength", "Filled" });
+  checkPrecision(this->OutputPointsPrecision);
+  const MapSettings settings = { chosenWeights(this->Weights),
+    chosenImprovement(this->ImproveTriangulation), this->MatchTolerance };
   vtkDataSet* input = inputDataSet(inputs, 0);
   TriangleInput surface = readTriangles(input, "input surface");
   checkAreas(surface, "input surface");
-  const MapSettings settings = { this->Weights == COTANGENT ? Weights::Cotangent
-                                                            : Weights::MeanValue,
-    improvementOf(this->ImproveTriangulation), this->MatchTolerance };
   const hexsweep::Progress progress = pipelineProgress(this, 0.1, 0.9);
   MappedCap cap;
   if (vtkDataSet* partnerData = inputDataSet(inputs, 1))

@@ -23,8 +23,9 @@
  * (3 components, z = 0), `OriginalPointIds` (-1 on points that were added at the end: where the
  * partner has a boundary node, on chords, and for ImproveTriangulation) and the cell array
  * `OriginalCellIds`. Field data: `DiskMapDomain` (Disk, Annulus or Circles), `HoleCircles` (centre
- * x, y, radius), `SweepReportMethod` (the weights that were used in the end: Cotangent,
- * IntrinsicCotangent or MeanValue), `SweepReportFlipsBefore` and `SweepReportFlipsAfter` (triangles
+ * x, y, radius), `SweepReportWeights` (the weights that were used in the end: Cotangent,
+ * IntrinsicCotangent or MeanValue; `SweepReportMethod` is another name of the same),
+ * `SweepReportFlipsBefore` and `SweepReportFlipsAfter` (triangles
  * flipped with the wanted weights, and in the result), `SweepReportEdgeFlips` and
  * `SweepReportAddedPoints` (what ImproveTriangulation did), `SweepReportIgnoredCells` (vertices and
  * lines), `SweepReportLoops`, `SweepReportDirichletEnergy` (no less than the area of the image,
@@ -42,6 +43,9 @@
  *
  * In an annulus the map is linear in (log r, angle) over each triangle; flips are counted there.
  * Flips that remain raise a warning.
+ *
+ * Methods, weights and other choices take any number; one that means nothing is an error when the
+ * filter runs, which names those that do.
  */
 #ifndef vtkHarmonicDiskMap_h
 #define vtkHarmonicDiskMap_h
@@ -81,15 +85,14 @@ public:
 
   ///@{
   /// COTANGENT by default.
-  vtkSetClampMacro(Weights, int, COTANGENT, MEAN_VALUE);
+  vtkSetMacro(Weights, int);
   vtkGetMacro(Weights, int);
   void SetWeightsToCotangent() { this->SetWeights(COTANGENT); }
   void SetWeightsToMeanValue() { this->SetWeights(MEAN_VALUE); }
   ///@}
 
   ///@{
-  /// KOEBE by default. Without a partner only. Any number that is not named above is an error
-  /// when the filter runs.
+  /// KOEBE by default. Without a partner only.
   vtkSetMacro(HoleTreatment, int);
   vtkGetMacro(HoleTreatment, int);
   void SetHoleTreatmentToKoebe() { this->SetHoleTreatment(KOEBE); }
@@ -118,7 +121,7 @@ public:
    * points are added on edges (OriginalPointIds -1) where nothing less keeps triangles from being
    * flipped in the disk, and inside caps that have no inner nodes. A flipped edge's triangles get
    * the OriginalCellIds of the cell that contains their middle. Use the same value for a cap and
-   * its partner. Any number that is not named above is an error when the filter runs.
+   * its partner.
    */
   vtkSetMacro(ImproveTriangulation, int);
   vtkGetMacro(ImproveTriangulation, int);
@@ -144,17 +147,19 @@ public:
 
   ///@{
   /// vtkAlgorithm::DesiredOutputPrecision of the points; the default precision is double.
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
   ///@{
-  /// Connect ports 1 and 2 by name.
+  /// Ports 1 and 2 by name.
   void SetPartnerConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetPartnerData(vtkDataObject* data) { this->SetInputData(1, data); }
   void SetLinkingSidesConnection(vtkAlgorithmOutput* output)
   {
     this->SetInputConnection(2, output);
   }
+  void SetLinkingSidesData(vtkDataObject* data) { this->SetInputData(2, data); }
   ///@}
 
 protected:

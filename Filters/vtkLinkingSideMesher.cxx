@@ -5,6 +5,8 @@
 #include "Core/Linking/LinkingSides.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepArrays.h"
+#include "HexSweepChoices.h"
+#include "HexSweepInteriorReport.h"
 #include "HexSweepLayers.h"
 #include "HexSweepLinkingReport.h"
 #include "HexSweepReader.h"
@@ -48,10 +50,9 @@ vtkLinkingSideMesher::vtkLinkingSideMesher()
 }
 
 //------------------------------------------------------------------------------
-int vtkLinkingSideMesher::FillInputPortInformation(int port, vtkInformation* info)
+int vtkLinkingSideMesher::FillInputPortInformation(int, vtkInformation* info)
 {
   acceptSurfaces(info);
-  info->Set(INPUT_IS_OPTIONAL(), port < 2 ? 0 : 1);
   return 1;
 }
 
@@ -69,17 +70,23 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   {
     return;
   }
+  checkPrecision(this->OutputPointsPrecision);
+  checkFeatureAngle(this->FeatureAngle);
   const LayerRequest layers = requestedLayers(this);
-  const QuadMesh quads = readQuads(inputDataSet(inputs, 0), "source quads").mesh;
+  StageClock clock;
+  const QuadInput given = readQuads(inputDataSet(inputs, 0), "source quads");
+  const QuadMesh& quads = given.mesh;
   const SurfaceTopology topology = checkSurface(quads.quads, quads.points.rows(), "source quads");
   checkCap(topology, "source quads");
   const LinkingSurface surface =
     joinLinkingSurface(givenSurface(readSolid(inputDataSet(inputs, 1), chosenArray(this)).surface),
       this->MatchTolerance, this->FeatureAngle * Pi / 180.0);
+  clock.finish("Read");
   const std::vector<SideTube> sides = splitLinkingSides(surface, quads.points, topology.loops);
   const LinkingMesh linking = meshLinkingSides(quads.points, topology.loops, sides, layers,
     this->MatchTolerance, pipelineProgress(this, 0.1, 0.95));
 
+  clock.finish("Linking sides");
   auto* output = vtkUnstructuredGrid::GetData(outputs);
   output->SetPoints(
     vtkSmartPointer<vtkPoints>::Take(newPoints(linking.rings.points, this->OutputPointsPrecision)));
@@ -98,6 +105,9 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   addIds(output->GetCellData(), arrays::BoundaryId, faceIds);
   output->GetFieldData()->PassData(inputDataSet(inputs, 1)->GetFieldData());
   addLinkingReport(output->GetFieldData(), linking);
+  addReport(output->GetFieldData(), reports::IgnoredCells, given.ignoredCells);
+  clock.finish("Output");
+  addStageReport(output->GetFieldData(), clock);
 
   std::vector<std::string> warnings = linkingWarnings(linking);
   if (vtkDataSet* target = inputDataSet(inputs, 2))

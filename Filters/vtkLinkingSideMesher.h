@@ -22,7 +22,8 @@
  * that the column begins at) and `SweepLayer` (the ring); cell arrays `SweepLayer`, `LoopId` (loop
  * of the source quads) and `BoundaryId` (face id, where there are any). Field data
  * `SweepReportLayers`, `SweepReportKeptEdges`, `SweepReportLostEdges`,
- * `SweepReportMeanColumnLength`.
+ * `SweepReportMeanColumnLength`, `SweepReportIgnoredCells` (of the source quads),
+ * `SweepReportStages` and `SweepReportSeconds`.
  */
 #ifndef vtkLinkingSideMesher_h
 #define vtkLinkingSideMesher_h
@@ -77,7 +78,7 @@ public:
 
   ///@{
   /// A vtkAlgorithm::DesiredOutputPrecision; DEFAULT_PRECISION (the default) means double.
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 

@@ -6,6 +6,7 @@
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepChoice.h"
 #include "HexSweepArrays.h"
+#include "HexSweepChoices.h"
 #include "HexSweepLayers.h"
 #include "HexSweepLists.h"
 #include "HexSweepReader.h"
@@ -111,12 +112,11 @@ vtkOneToOneSweep::vtkOneToOneSweep()
 }
 
 //------------------------------------------------------------------------------
-int vtkOneToOneSweep::FillInputPortInformation(int port, vtkInformation* info)
+int vtkOneToOneSweep::FillInputPortInformation(int, vtkInformation* info)
 {
   // Composite data come here too, to be refused in words instead of block by block.
   acceptSurfaces(info);
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
   return 1;
 }
 
@@ -179,11 +179,17 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   {
     return;
   }
+  checkInteriorMethod(this->Method);
+  checkPrecision(this->OutputPointsPrecision);
+  checkFeatureAngle(this->FeatureAngle);
   SolidSweepSettings settings;
   settings.size = this->Size;
   settings.quadSize = this->QuadSize;
   settings.layers = requestedLayers(this, true);
   settings.matchTolerance = this->MatchTolerance;
+  settings.projection = projectionMethod("ProjectionMethod", this->ProjectionMethod);
+  settings.weights = chosenWeights(this->Weights);
+  settings.improvement = chosenImprovement(this->ImproveTriangulation);
   settings.targetIsNamed = !this->TargetFaceIds.empty();
   settings.hexes = { this->Method, this->EnsureValid, this->ImproveQuality, this->Certify,
     this->FailIfInvalid, this->OutputPointsPrecision };
@@ -247,6 +253,9 @@ void vtkOneToOneSweep::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "ProjectionMethod: " << this->ProjectionMethod << "\n";
+  os << indent << "Weights: " << this->Weights << "\n";
+  os << indent << "ImproveTriangulation: " << this->ImproveTriangulation << "\n";
   os << indent << "EnsureValid: " << (this->EnsureValid ? "On" : "Off") << "\n";
   os << indent << "ImproveQuality: " << (this->ImproveQuality ? "On" : "Off") << "\n";
   os << indent << "Certify: " << (this->Certify ? "On" : "Off") << "\n";

@@ -38,6 +38,9 @@
  *
  * A solid that cannot be swept raises one error that says which face or loop is in the way; both
  * outputs are then empty.
+ *
+ * Methods, weights and other choices take any number; one that means nothing is an error when the
+ * filter runs, which names those that do.
  */
 #ifndef vtkOneToOneSweep_h
 #define vtkOneToOneSweep_h
@@ -117,18 +120,57 @@ public:
   /// How the interior is placed: a vtkCageHexInterior::MethodType, AUTOMATIC (0) by default.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
+  void SetMethodToAutomatic() { this->SetMethod(0); }
+  void SetMethodToBlend() { this->SetMethod(1); }
+  void SetMethodToHarmonicCoordinates() { this->SetMethod(2); }
+  void SetMethodToMeanValueCoordinates() { this->SetMethod(3); }
+  void SetMethodToGreenCoordinates() { this->SetMethod(4); }
+  void SetMethodToLayerMarch() { this->SetMethod(5); }
+  void SetMethodToAffineBoundaryError() { this->SetMethod(6); }
   ///@}
 
   ///@{
-  /// Untangle quads on the target cap and hexahedra that are not valid. On by default.
+  /// How the quads come to the target cap: a vtkSweepQuadProjector::MethodType, HARMONIC (0) by
+  /// default. Reported as `SweepReportProjection`.
+  vtkSetMacro(ProjectionMethod, int);
+  vtkGetMacro(ProjectionMethod, int);
+  void SetProjectionMethodToHarmonic() { this->SetProjectionMethod(0); }
+  void SetProjectionMethodToPaperHarmonic() { this->SetProjectionMethod(1); }
+  void SetProjectionMethodToAffineLeastSquares() { this->SetProjectionMethod(2); }
+  ///@}
+
+  ///@{
+  /// Edge weights of the harmonic maps, a vtkHarmonicDiskMap::WeightsType; COTANGENT (0) by
+  /// default. Without effect where ProjectionMethod is AFFINE_LEAST_SQUARES.
+  vtkSetMacro(Weights, int);
+  vtkGetMacro(Weights, int);
+  void SetWeightsToCotangent() { this->SetWeights(0); }
+  void SetWeightsToMeanValue() { this->SetWeights(1); }
+  ///@}
+
+  ///@{
+  /// Whether the triangulations of the caps may be changed for their maps, a
+  /// vtkHarmonicDiskMap::ImproveTriangulationType; AUTOMATIC (1) by default. Without effect as
+  /// Weights.
+  vtkSetMacro(ImproveTriangulation, int);
+  vtkGetMacro(ImproveTriangulation, int);
+  void SetImproveTriangulationToOff() { this->SetImproveTriangulation(0); }
+  void SetImproveTriangulationToAutomatic() { this->SetImproveTriangulation(1); }
+  void SetImproveTriangulationToOn() { this->SetImproveTriangulation(2); }
+  ///@}
+
+  ///@{
+  /// Untangle quads on the target cap and hexahedra that are not valid, locally. On by default. Off
+  /// returns what the methods give.
   vtkSetMacro(EnsureValid, bool);
   vtkGetMacro(EnsureValid, bool);
   vtkBooleanMacro(EnsureValid, bool);
   ///@}
 
   ///@{
-  /// Raise the quality of the quads on the target cap and of the hexahedra; no least value falls
-  /// and no certificate is lost. On by default.
+  /// Raise the quality of the quads on the target cap, and with the method AUTOMATIC and
+  /// EnsureValid that of the hexahedra; no least value falls and no certificate is lost. On by
+  /// default.
   vtkSetMacro(ImproveQuality, bool);
   vtkGetMacro(ImproveQuality, bool);
   vtkBooleanMacro(ImproveQuality, bool);
@@ -151,7 +193,7 @@ public:
 
   ///@{
   /// A vtkAlgorithm::DesiredOutputPrecision; DEFAULT_PRECISION (the default) means double.
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
@@ -175,6 +217,9 @@ private:
   double FeatureAngle = 30.0;
   double MatchTolerance = 1e-6;
   int Method = 0;
+  int ProjectionMethod = 0;
+  int Weights = 0;
+  int ImproveTriangulation = 1;
   bool EnsureValid = true;
   bool ImproveQuality = true;
   bool Certify = true;

@@ -5,6 +5,7 @@
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepCandidates.h"
 #include "HexSweepArrays.h"
+#include "HexSweepChoices.h"
 #include "HexSweepLists.h"
 #include "HexSweepRun.h"
 #include "HexSweepSolidReader.h"
@@ -100,6 +101,7 @@ int vtkSweepCandidates::RequestData(
     {
       return;
     }
+    hexsweep::checkFeatureAngle(this->FeatureAngle);
     hexsweep::SolidOptions options;
     options.matchTolerance = this->MatchTolerance;
     options.featureAngle = this->FeatureAngle * hexsweep::Pi / 180.0;

@@ -7,6 +7,7 @@
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepArrays.h"
 #include "HexSweepCapDiskGrid.h"
+#include "HexSweepChoices.h"
 #include "HexSweepProjectionReport.h"
 #include "HexSweepReader.h"
 #include "HexSweepRun.h"
@@ -145,14 +146,6 @@ void writeQuads(const SweepProjection& projection, const Caps& caps, vtkDataSet*
   cellData->AddArray(jacobian);
   output->GetFieldData()->PassData(source->GetFieldData());
 }
-
-/// Methods by their number in MethodType.
-constexpr std::pair<ProjectionMethod, const char*> Methods[] = {
-  { ProjectionMethod::Harmonic, "Harmonic" },
-  { ProjectionMethod::PaperHarmonic, "PaperHarmonic" },
-  { ProjectionMethod::AffineLeastSquares, "AffineLeastSquares" },
-};
-
 }
 
 //------------------------------------------------------------------------------
@@ -163,10 +156,9 @@ vtkSweepQuadProjector::vtkSweepQuadProjector()
 }
 
 //------------------------------------------------------------------------------
-int vtkSweepQuadProjector::FillInputPortInformation(int port, vtkInformation* info)
+int vtkSweepQuadProjector::FillInputPortInformation(int, vtkInformation* info)
 {
   acceptSurfaces(info);
-  info->Set(INPUT_IS_OPTIONAL(), port < 2 ? 0 : 1);
   return 1;
 }
 
@@ -185,17 +177,16 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   {
     return;
   }
-  if (this->Method < HARMONIC || this->Method > AFFINE_LEAST_SQUARES)
-  {
-    throw InvalidInput("Method " + std::to_string(this->Method) +
-      " does not exist. Choose Harmonic (0), PaperHarmonic (1) or AffineLeastSquares (2).");
-  }
-  const auto& [method, methodName] = Methods[this->Method];
+  const ProjectionMethod method = projectionMethod("Method", this->Method);
+  checkChoice("DiskMaps", this->DiskMaps, { "Automatic", "FromInput" });
+  checkPrecision(this->OutputPointsPrecision);
   const Ports ports = { inputDataSet(inputs, 0), inputDataSet(inputs, 1), inputDataSet(inputs, 2),
     inputDataSet(inputs, 3) };
   Caps caps = readCaps(ports);
   SweepProjectionInput& input = caps.input;
   input.method = method;
+  input.weights = chosenWeights(this->Weights);
+  input.improvement = chosenImprovement(this->ImproveTriangulation);
   input.matchTolerance = this->MatchTolerance;
   input.singlePrecision = this->OutputPointsPrecision == SINGLE_PRECISION;
   input.ensureValid = this->EnsureValid;
@@ -216,7 +207,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
 
   auto* output = vtkUnstructuredGrid::GetData(outputs, 0);
   writeQuads(projection, caps, ports.source, this->OutputPointsPrecision, output);
-  addProjectionReport(output->GetFieldData(), projection, methodName);
+  addProjectionReport(output->GetFieldData(), projection, nameOf(method));
   addReport(output->GetFieldData(), reports::IgnoredCells, caps.ignoredCells);
   if (projection.source)
   {
@@ -240,6 +231,8 @@ void vtkSweepQuadProjector::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "DiskMaps: " << this->DiskMaps << "\n";
+  os << indent << "Weights: " << this->Weights << "\n";
+  os << indent << "ImproveTriangulation: " << this->ImproveTriangulation << "\n";
   os << indent << "EnsureValid: " << this->EnsureValid << "\n";
   os << indent << "ImproveQuality: " << this->ImproveQuality << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";

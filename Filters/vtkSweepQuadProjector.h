@@ -29,7 +29,8 @@
  * Outputs:
  * - 0 the quads on the target cap: the points of the source quads in the same order, the same
  *   cells with the same data, and the cell array `ScaledJacobian`, measured against the normal of
- *   the target surface. Field data: `SweepReportMethod`, `SweepReportInvertedQuads` and
+ *   the target surface. Field data: `SweepReportMethod` (the method), `SweepReportWeights` (of
+ *   the target cap's map, as vtkHarmonicDiskMap reports them), `SweepReportInvertedQuads` and
  *   `SweepReportInvertedBefore` (as projected, before EnsureValid), `SweepReportRounds` (descents),
  *   `SweepReportMinScaledJacobian`, `SweepReportMeanScaledJacobian`,
  *   `SweepReportFloorScaledJacobian`: the least scaled Jacobian of the corners whose own node and
@@ -55,6 +56,9 @@
  * untangling multiplies that by up to a few hundred, which leaves 1e-9 ten thousand sizes away.
  *
  * Inverted quads, flipped triangles and a violated Nitsche bound raise warnings.
+ *
+ * Methods, weights and other choices take any number; one that means nothing is an error when the
+ * filter runs, which names those that do.
  */
 #ifndef vtkSweepQuadProjector_h
 #define vtkSweepQuadProjector_h
@@ -85,7 +89,7 @@ public:
   };
 
   ///@{
-  /// HARMONIC by default. Any number that is not named above is an error when the filter runs.
+  /// HARMONIC by default.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   void SetMethodToHarmonic() { this->SetMethod(HARMONIC); }
@@ -96,10 +100,30 @@ public:
   ///@{
   /// AUTOMATIC by default. FROM_INPUT needs both surfaces from vtkHarmonicDiskMap, each mapped with
   /// the other as its partner; it is an error with PAPER_HARMONIC, which has maps of its own.
-  vtkSetClampMacro(DiskMaps, int, AUTOMATIC, FROM_INPUT);
+  vtkSetMacro(DiskMaps, int);
   vtkGetMacro(DiskMaps, int);
   void SetDiskMapsToAutomatic() { this->SetDiskMaps(AUTOMATIC); }
   void SetDiskMapsToFromInput() { this->SetDiskMaps(FROM_INPUT); }
+  ///@}
+
+  ///@{
+  /// Edge weights of the harmonic maps, a vtkHarmonicDiskMap::WeightsType; COTANGENT (0) by
+  /// default. Without effect on AFFINE_LEAST_SQUARES and on disk maps from the input.
+  vtkSetMacro(Weights, int);
+  vtkGetMacro(Weights, int);
+  void SetWeightsToCotangent() { this->SetWeights(0); }
+  void SetWeightsToMeanValue() { this->SetWeights(1); }
+  ///@}
+
+  ///@{
+  /// Whether the triangulations of the caps may be changed for their maps, a
+  /// vtkHarmonicDiskMap::ImproveTriangulationType; AUTOMATIC (1) by default. Without effect as
+  /// Weights.
+  vtkSetMacro(ImproveTriangulation, int);
+  vtkGetMacro(ImproveTriangulation, int);
+  void SetImproveTriangulationToOff() { this->SetImproveTriangulation(0); }
+  void SetImproveTriangulationToAutomatic() { this->SetImproveTriangulation(1); }
+  void SetImproveTriangulationToOn() { this->SetImproveTriangulation(2); }
   ///@}
 
   ///@{
@@ -130,25 +154,29 @@ public:
 
   ///@{
   /// vtkAlgorithm::DesiredOutputPrecision of the points; the default precision is double.
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkSetMacro(OutputPointsPrecision, int);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
   ///@{
-  /// Connect the ports by name.
+  /// The ports by name.
   void SetSourceQuadsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(0, output); }
+  void SetSourceQuadsData(vtkDataObject* data) { this->SetInputData(0, data); }
   void SetTargetSurfaceConnection(vtkAlgorithmOutput* output)
   {
     this->SetInputConnection(1, output);
   }
+  void SetTargetSurfaceData(vtkDataObject* data) { this->SetInputData(1, data); }
   void SetLinkingSidesConnection(vtkAlgorithmOutput* output)
   {
     this->SetInputConnection(2, output);
   }
+  void SetLinkingSidesData(vtkDataObject* data) { this->SetInputData(2, data); }
   void SetSourceSurfaceConnection(vtkAlgorithmOutput* output)
   {
     this->SetInputConnection(3, output);
   }
+  void SetSourceSurfaceData(vtkDataObject* data) { this->SetInputData(3, data); }
   ///@}
 
 protected:
@@ -166,6 +194,8 @@ private:
 
   int Method = HARMONIC;
   int DiskMaps = AUTOMATIC;
+  int Weights = 0;
+  int ImproveTriangulation = 1;
   bool EnsureValid = true;
   bool ImproveQuality = true;
   double MatchTolerance = 1e-6;

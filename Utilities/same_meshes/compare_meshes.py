@@ -54,7 +54,9 @@ def compare(before, after):
             differences.append(f"{key}: missing in NEW")
         else:
             line = difference(before[key], after[key])
-            if line:
+            if line and same_numbers(before[key], after[key]):
+                remarks.append(f"{key}: the same numbers, {line}")
+            elif line:
                 differences.append(f"{key}: {line}")
     remarks += [f"{key}: only in NEW" for key in after.files if key not in before.files]
     line = difference(before["messages"], after["messages"])
@@ -82,6 +84,12 @@ def difference(before, after):
         f"{int(tuples.sum())} of {len(before)} tuples differ, first tuple {first}: "
         f"{_text(before[first])} in OLD, {_text(after[first])} in NEW"
     )
+
+
+def same_numbers(before, after):
+    """Whether counts became integers: one is whole numbers of another type than the other."""
+    kinds = {before.dtype.kind, after.dtype.kind}
+    return kinds == {"f", "i"} and before.shape == after.shape and bool((before == after).all())
 
 
 def _unequal_lists(before, after):

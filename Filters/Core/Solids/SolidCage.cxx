@@ -137,6 +137,9 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   projection.singlePrecision = input.singlePrecision;
   projection.ensureValid = input.ensureValid;
   projection.improveQuality = input.improveQuality;
+  projection.method = input.method;
+  projection.weights = input.weights;
+  projection.improvement = input.improvement;
   cage.projection = projectSweep(projection, progressPart(progress, 0.4, 1.0));
   stages.finish("Target quads");
 

@@ -28,6 +28,9 @@ struct SolidCageInput
   bool singlePrecision = false; ///< see SweepProjectionInput
   bool ensureValid = true;      ///< see SweepProjectionInput
   bool improveQuality = true;   ///< see SweepProjectionInput
+  ProjectionMethod method = ProjectionMethod::Harmonic;
+  Weights weights = Weights::Cotangent;
+  TriangulationImprovement improvement = TriangulationImprovement::Automatic;
 };
 
 struct SolidCage : SweepCage

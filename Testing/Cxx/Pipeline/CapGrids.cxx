@@ -423,14 +423,6 @@ void expectOneError(vtkAlgorithm* filter, const std::string& part)
   EXPECT_TRUE(isEmpty(filter));
 }
 
-void expectMissingInput(vtkAlgorithm* filter)
-{
-  Events events(filter);
-  filter->Update();
-  EXPECT_EQ(events.errors.size() + events.executiveErrors.size(), 1u);
-  EXPECT_TRUE(isEmpty(filter));
-}
-
 void expectEmptyWhenAborted(vtkAlgorithm* filter, double fraction)
 {
   Events events(filter);

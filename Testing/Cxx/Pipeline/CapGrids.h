@@ -137,9 +137,6 @@ bool isEmpty(vtkAlgorithm* filter);
 /// Runs a filter that must raise one error with `part` in its text and leave its outputs empty.
 void expectOneError(vtkAlgorithm* filter, const std::string& part);
 
-/// The executive names a port without a connection.
-void expectMissingInput(vtkAlgorithm* filter);
-
 /// Sets the abort flag when the filter has got this far.
 class AbortAt : public vtkCommand
 {

@@ -6,6 +6,7 @@
 #include <vtkOutputWindow.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkSweepSets.h>
+#include <vtkTable.h>
 
 namespace
 {
@@ -105,10 +106,11 @@ TEST(Failure, AnotherErrorOfTheExecutiveIsStillShown)
   FailingChain chain;
   Shown shown;
   EXPECT_FALSE(chain.succeeds());
-  chain.sweep->SetSolidData(nullptr);
+  vtkNew<vtkTable> table;
+  chain.sweep->SetSolidData(table);
   EXPECT_FALSE(chain.succeeds());
   ASSERT_GT(shown.texts().size(), 1u);
-  EXPECT_NE(shown.texts()[1].find("Input port 0"), std::string::npos) << shown.texts()[1];
+  EXPECT_NE(shown.texts()[1].find("is of type vtkTable"), std::string::npos) << shown.texts()[1];
 }
 
 TEST(Failure, WithoutWarningsNothingIsShownNorKept)

@@ -546,7 +546,7 @@ TEST(HarmonicDiskMap, NoPointIsLookedAtThatNoCellUses)
 TEST(HarmonicDiskMap, MissingInput)
 {
   vtkNew<vtkHarmonicDiskMap> filter;
-  test::expectMissingInput(filter);
+  test::expectOneError(filter, "the input surface is missing");
 }
 
 TEST(HarmonicDiskMap, EmptyInput)

@@ -114,7 +114,7 @@ TEST(LinkingSideMesher, SaysWhatIsMissing)
   const Parts parts(test::cadSolids()[0]);
   vtkNew<vtkLinkingSideMesher> mesher;
   mesher->SetSourceQuadsData(parts.quads);
-  test::expectMissingInput(mesher);
+  test::expectOneError(mesher, "the solid is missing");
   mesher->SetLinkingSurfaceData(parts.solid); // with both caps: no tubes
   test::expectOneError(mesher, "no tube");
   mesher->SetLinkingSurfaceData(facesOf(parts.solid, { 1 }, true)); // the outer side alone

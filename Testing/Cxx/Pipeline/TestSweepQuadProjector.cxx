@@ -834,9 +834,9 @@ TEST(SweepQuadProjector, MissingPorts)
 {
   const SweepGrids sweep = test::readCase("ubend");
   Projection noQuads({ nullptr, sweep.sourceSurface, sweep.targetSurface, sweep.linkingSides });
-  test::expectMissingInput(noQuads.filter);
+  expectOneError(noQuads.filter, "the source quads are missing");
   Projection noTarget({ sweep.sourceQuads, sweep.sourceSurface, nullptr, sweep.linkingSides });
-  test::expectMissingInput(noTarget.filter);
+  expectOneError(noTarget.filter, "the target surface is missing");
 }
 
 TEST(SweepQuadProjector, EmptyInputs)

@@ -67,6 +67,18 @@ Points AffineMap::apply(const PointsRef& points) const
   return moved;
 }
 
+bool isInvertible(const AffineMap& map)
+{
+  constexpr double Least = 1e-9; // least stretch over the greatest one
+  const Eigen::Vector3d stretches = map.linear.jacobiSvd().singularValues();
+  return stretches[0] > 0.0 && std::isfinite(stretches[0]) && stretches[2] > Least * stretches[0];
+}
+
+AffineMap inverse(const AffineMap& map)
+{
+  return { map.linear.inverse(), map.targetCenter, map.sourceCenter };
+}
+
 Eigen::RowVector3d areaVector(const PointsRef& loop)
 {
   Eigen::RowVector3d area = Eigen::RowVector3d::Zero();

@@ -22,6 +22,12 @@ struct AffineMap
   Points apply(const PointsRef& points) const;
 };
 
+/// Whether the linear part can be inverted to some digits.
+bool isInvertible(const AffineMap& map);
+
+/// @param map invertible.
+AffineMap inverse(const AffineMap& map);
+
 /**
  * Vector area of a closed polygon, 1/2 sum (p_j - c) x (p_j+1 - c), n x 3 nodes in loop order.
  *

@@ -86,8 +86,8 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   {
     options.precision = Precision::Single;
   }
-  SweepInterior interior =
-    sweepInterior(cage, interiorStarts(method), options, progressPart(progress, 0.0, 0.9));
+  SweepInterior interior = sweepInterior(
+    cage, interiorStarts(method, cage.isRuled), options, progressPart(progress, 0.0, 0.9));
   stages.finish(stagesOf(interior.steps));
   const Index layers = cage.boundary.numberOfLayers();
   const vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,

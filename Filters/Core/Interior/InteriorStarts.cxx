@@ -8,16 +8,26 @@
 #include "Core/Interior/HarmonicCoordinates.h"
 #include "Core/Interior/LayerMarch.h"
 #include "Core/Interior/MeanValueCoordinates.h"
+#include "Core/Interior/RuledInterior.h"
 
 namespace hexsweep
 {
-std::vector<InteriorStart> interiorStarts(InteriorKind kind)
+std::vector<InteriorStart> interiorStarts(InteriorKind kind, bool isRuled)
 {
   switch (kind)
   {
     case InteriorKind::Automatic:
-      return { { "Blend", blendInterior }, { "Blend with fading bulges", fadingBlendInterior },
-        { "LayerMarch", layerMarchInterior } };
+    {
+      std::vector<InteriorStart> starts;
+      if (isRuled)
+      {
+        starts.push_back({ "Ruled", ruledInterior, true });
+      }
+      starts.push_back({ "Blend", blendInterior });
+      starts.push_back({ "Blend with fading bulges", fadingBlendInterior });
+      starts.push_back({ "LayerMarch", layerMarchInterior });
+      return starts;
+    }
     case InteriorKind::Blend:
       return { { "Blend", blendInterior } };
     case InteriorKind::HarmonicCoordinates:

@@ -24,8 +24,10 @@ enum class InteriorKind : int
   AffineBoundaryError = 6
 };
 
+/// @param isRuled whether the cage is (SweepCage::isRuled): Automatic begins with its straight
+/// lines.
 /// @throw InvalidInput for a number that is no method's.
-std::vector<InteriorStart> interiorStarts(InteriorKind kind);
+std::vector<InteriorStart> interiorStarts(InteriorKind kind, bool isRuled = false);
 }
 
 #endif

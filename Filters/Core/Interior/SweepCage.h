@@ -19,6 +19,9 @@ struct SweepCage
   /// between the caps.
   Quads quads;
   SweepBoundary boundary;
+  /// Whether the target is an affine image of the source, and columns are straight lines, see
+  /// ruledInterior().
+  bool isRuled = false;
 };
 
 /**

@@ -266,6 +266,7 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
   const double share =
     (1.0 - PolishingShare) / (options.ensureValid ? static_cast<double>(starts.size()) : 1.0);
   bool done = false;
+  bool polish = options.polishingRounds > 0;
   for (std::size_t s = 0; s < starts.size() && !done; ++s)
   {
     const double from = static_cast<double>(s) * share;
@@ -278,6 +279,7 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
         cascade.untangle(candidate, progressPart(progress, from + 0.5 * share, from + share));
       }
       done = !options.ensureValid || candidate.curable == 0;
+      polish = polish && !(starts[s].isBest && candidate.quality.notCertified == 0);
       cascade.keepBetter(std::move(candidate));
     }
     catch (const SolverFailure&)
@@ -288,7 +290,7 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
       }
     }
   }
-  if (options.polishingRounds > 0)
+  if (polish)
   {
     const double end = 1.0 - RoundingShare;
     const double again = end - RepeatedShare * PolishingShare;

@@ -20,6 +20,8 @@ struct InteriorStart
 {
   std::string name;
   InteriorMethod method;
+  /// Nothing betters what it gives where that is certified: no polish.
+  bool isBest = false;
 };
 
 struct InteriorOptions
@@ -69,7 +71,8 @@ struct SweepInterior
 /**
  * Tries the starts in order and stops at the first that is certified, by itself or after local
  * untangling (untangleHexes()); otherwise keeps the best: fewest hexahedra that are not Certified,
- * then the highest least scaled Jacobian. Then polishes (polishHexes()), which never lowers the
+ * then the highest least scaled Jacobian. Then polishes (polishHexes(); not a certified start that
+ * InteriorStart::isBest), which never lowers the
  * minimum nor loses a certificate, and is kept unless the mean falls. What is not certified even
  * then is untangled and polished again, as long as that mends something, twice at the most. No step
  * leaves a worse mesh than it was given.

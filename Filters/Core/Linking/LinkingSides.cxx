@@ -7,6 +7,7 @@
 #include "Core/Geometry/BoundarySearch.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Linking/LayerSpacing.h"
+#include "Core/Linking/RuledColumns.h"
 #include "Core/Linking/SideTurns.h"
 #include "Core/Surfaces/SurfacePart.h"
 #include "Core/Surfaces/SurfaceTopology.h"
@@ -175,6 +176,94 @@ Index layersFor(const LayerRequest& request, Index meshedLayers, double columnLe
   const Index layers = layersOfSize(columnLength, request.size);
   return request.mostLayers > 0 ? std::min(layers, request.mostLayers) : layers;
 }
+
+/// The loops of the quads, each with the side that it lies on.
+struct PairedLoops
+{
+  std::vector<Points> rings;
+  std::vector<std::size_t> sideOf;
+};
+
+PairedLoops pairLoops(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
+  const std::vector<SideTube>& sides)
+{
+  checkCounts(quadLoops.size(), sides.size());
+  PairedLoops paired;
+  paired.rings = polygonsOf(quadPoints, quadLoops);
+  Curves curves;
+  for (const SideTube& side : sides)
+  {
+    curves.add(loopPoints(side.surface.points, side.sourceLoop));
+  }
+  paired.sideOf = pairUp(paired.rings, curves, 1);
+  return paired;
+}
+
+template <typename Columns>
+double meanColumnLength(const std::deque<Columns>& columns)
+{
+  Index nodes = 0;
+  double length = 0.0;
+  for (const Columns& side : columns)
+  {
+    nodes += side.size();
+    length += static_cast<double>(side.size()) * side.meanLength();
+  }
+  return length / static_cast<double>(nodes);
+}
+
+std::vector<double> fractionsFor(const LayerRequest& request, Index meshedLayers, double length)
+{
+  return request.positions.empty()
+    ? layerFractions(layersFor(request, meshedLayers, length), request.growth, request.bothEnds)
+    : layerFractions(request.positions);
+}
+
+/// Lays the rings of all sides and numbers them side after side.
+template <typename Columns>
+void layRings(const std::deque<Columns>& columns, const std::vector<double>& fractions,
+  const std::vector<Loop>& quadLoops, const std::vector<std::size_t>& sideOf,
+  const Progress& progress, LinkingMesh& result)
+{
+  const Index layers = static_cast<Index>(fractions.size()) - 1;
+  Index nodes = 0;
+  for (const Columns& side : columns)
+  {
+    nodes += side.size();
+  }
+  Points points((layers + 1) * nodes, 3);
+  result.quads.resize(layers * nodes, 4);
+  Index row = 0;
+  Index quad = 0;
+  for (std::size_t l = 0; l < columns.size(); ++l)
+  {
+    const SideTubeMesh side = columns[l].mesh(fractions);
+    const Index n = columns[l].size();
+    points.middleRows(row, side.nodes.rows()) = side.nodes;
+    for (Index k = 0; k <= layers; ++k)
+    {
+      result.nodeRing.insert(result.nodeRing.end(), at(n), k);
+      result.sourcePoint.insert(result.sourcePoint.end(), quadLoops[l].begin(), quadLoops[l].end());
+    }
+    for (Index k = 0; k < layers; ++k)
+    {
+      result.quadLayer.insert(result.quadLayer.end(), at(n), k);
+      for (Index j = 0; j < n; ++j, ++quad)
+      {
+        const Index a = row + k * n + j;
+        const Index b = row + k * n + (j + 1) % n;
+        result.quads.row(quad) << a, b, b + n, a + n;
+      }
+    }
+    result.quadSide.insert(
+      result.quadSide.end(), side.quadTriangle.size(), static_cast<Index>(sideOf[l]));
+    result.quadTriangle.insert(
+      result.quadTriangle.end(), side.quadTriangle.begin(), side.quadTriangle.end());
+    row += side.nodes.rows();
+    reportProgress(progress, static_cast<double>(l + 1) / static_cast<double>(columns.size()));
+  }
+  result.rings = stackRings(std::move(points), quadLoops, layers);
+}
 }
 
 std::vector<SideTube> splitLinkingSides(
@@ -233,33 +322,22 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
   const std::vector<SideTube>& sides, const LayerRequest& request, double matchTolerance,
   const Progress& progress)
 {
-  checkCounts(quadLoops.size(), sides.size());
-  const std::vector<Points> rings = polygonsOf(quadPoints, quadLoops);
-  Curves curves;
-  for (const SideTube& side : sides)
-  {
-    curves.add(loopPoints(side.surface.points, side.sourceLoop));
-  }
-  const std::vector<std::size_t> sideOf = pairUp(rings, curves, 1);
-
-  LinkingMesh result;
+  const PairedLoops paired = pairLoops(quadPoints, quadLoops, sides);
+  const double count = static_cast<double>(paired.rings.size());
   std::deque<LinkingSideColumns> columns;
-  Index meshedLayers = 0;
-  Index nodes = 0;
-  double length = 0.0;
-  for (std::size_t l = 0; l < rings.size(); ++l)
+  for (std::size_t l = 0; l < paired.rings.size(); ++l)
   {
-    columns.emplace_back(sides[sideOf[l]], rings[l], matchTolerance);
-    reportProgress(progress, 0.8 * static_cast<double>(l + 1) / static_cast<double>(rings.size()));
+    columns.emplace_back(sides[paired.sideOf[l]], paired.rings[l], matchTolerance);
+    reportProgress(progress, 0.8 * static_cast<double>(l + 1) / count);
   }
+  LinkingMesh result;
+  Index meshedLayers = 0;
   const std::vector<double> turns = sideTurns(columns);
-  for (std::size_t l = 0; l < rings.size(); ++l)
+  for (std::size_t l = 0; l < columns.size(); ++l)
   {
     LinkingSideColumns& side = columns[l];
     side.turnEnds(turns[l]);
     meshedLayers = std::max(meshedLayers, side.meshedLayers());
-    nodes += side.size();
-    length += static_cast<double>(side.size()) * side.meanLength();
     result.keptEdges += side.keptEdges();
     result.flipped += side.flipped();
     result.lostEdges.insert(
@@ -269,46 +347,26 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
     result.refusedPatches.insert(
       result.refusedPatches.end(), side.refusedPatches().begin(), side.refusedPatches().end());
   }
-  result.meanColumnLength = length / static_cast<double>(nodes);
-  const Index layers = layersFor(request, meshedLayers, result.meanColumnLength);
-  const std::vector<double> fractions = request.positions.empty()
-    ? layerFractions(layers, request.growth, request.bothEnds)
-    : layerFractions(request.positions);
-  const Index count = static_cast<Index>(fractions.size()) - 1;
+  result.meanColumnLength = meanColumnLength(columns);
+  layRings(columns, fractionsFor(request, meshedLayers, result.meanColumnLength), quadLoops,
+    paired.sideOf, progressPart(progress, 0.8, 1.0), result);
+  return result;
+}
 
-  Points points((count + 1) * nodes, 3);
-  result.quads.resize(count * nodes, 4);
-  Index row = 0;
-  Index quad = 0;
-  for (std::size_t l = 0; l < rings.size(); ++l)
+LinkingMesh meshRuledSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
+  const std::vector<SideTube>& sides, const LayerRequest& request, const AffineMap& map,
+  const Progress& progress)
+{
+  const PairedLoops paired = pairLoops(quadPoints, quadLoops, sides);
+  std::deque<RuledColumns> columns;
+  for (std::size_t l = 0; l < paired.rings.size(); ++l)
   {
-    const SideTubeMesh side = columns[l].mesh(fractions);
-    const Index n = columns[l].size();
-    points.middleRows(row, side.nodes.rows()) = side.nodes;
-    for (Index k = 0; k <= count; ++k)
-    {
-      result.nodeRing.insert(result.nodeRing.end(), at(n), k);
-      result.sourcePoint.insert(result.sourcePoint.end(), quadLoops[l].begin(), quadLoops[l].end());
-    }
-    for (Index k = 0; k < count; ++k)
-    {
-      result.quadLayer.insert(result.quadLayer.end(), at(n), k);
-      for (Index j = 0; j < n; ++j, ++quad)
-      {
-        const Index a = row + k * n + j;
-        const Index b = row + k * n + (j + 1) % n;
-        result.quads.row(quad) << a, b, b + n, a + n;
-      }
-    }
-    result.quadSide.insert(
-      result.quadSide.end(), side.quadTriangle.size(), static_cast<Index>(sideOf[l]));
-    result.quadTriangle.insert(
-      result.quadTriangle.end(), side.quadTriangle.begin(), side.quadTriangle.end());
-    row += side.nodes.rows();
-    reportProgress(
-      progress, 0.8 + 0.2 * static_cast<double>(l + 1) / static_cast<double>(rings.size()));
+    columns.emplace_back(sides[paired.sideOf[l]], paired.rings[l], map);
   }
-  result.rings = stackRings(std::move(points), quadLoops, count);
+  LinkingMesh result;
+  result.meanColumnLength = meanColumnLength(columns);
+  layRings(columns, fractionsFor(request, 0, result.meanColumnLength), quadLoops, paired.sideOf,
+    progress, result);
   return result;
 }
 }

@@ -6,6 +6,7 @@
 #ifndef hexsweep_LinkingSides_h
 #define hexsweep_LinkingSides_h
 
+#include "Core/Geometry/AffineMap.h"
 #include "Core/Linking/LinkingSideColumns.h"
 #include "Core/Linking/LinkingSurface.h"
 #include "Core/Linking/RingStack.h"
@@ -63,6 +64,16 @@ std::vector<SideTube> splitLinkingSides(
  */
 LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
   const std::vector<SideTube>& sides, const LayerRequest& request, double matchTolerance = 1e-6,
+  const Progress& progress = {});
+
+/**
+ * The same with columns that run straight to their images, see RuledColumns; patches of the sides
+ * are not looked at.
+ *
+ * @param map of the source cap to the target cap, see findAffineSweep().
+ */
+LinkingMesh meshRuledSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
+  const std::vector<SideTube>& sides, const LayerRequest& request, const AffineMap& map,
   const Progress& progress = {});
 }
 

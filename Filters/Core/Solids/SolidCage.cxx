@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/SolidCage.h"
 
+#include "Core/CapQuads/ImageProjection.h"
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Interior/RingCollapse.h"
+#include "Core/Solids/AffineSweep.h"
+#include "Core/Solids/CapCrossings.h"
 #include "Core/Surfaces/SurfacePart.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <set>
 
 namespace hexsweep
 {
@@ -102,6 +109,115 @@ double distanceFromCap(const QuadMesh& quads, const TriangleMesh& cap)
   }
   return greatest;
 }
+
+/// Whether structured quads of one layer, as walls of an extrusion are given, are all there is:
+/// every node lies on a loop.
+bool isOneLayer(const QuadMesh& patch, const SolidSurface& solid, const SweepSide& side)
+{
+  std::set<std::array<double, 3>> nodes;
+  for (const Loop* loop : { &side.sourceLoop, &side.targetLoop })
+  {
+    for (const Index point : *loop)
+    {
+      nodes.insert({ solid.points(point, 0), solid.points(point, 1), solid.points(point, 2) });
+    }
+  }
+  for (Index i = 0; i < patch.points.rows(); ++i)
+  {
+    if (nodes.count({ patch.points(i, 0), patch.points(i, 1), patch.points(i, 2) }) == 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Where sides are meshed already, their nodes come before straight columns, and so does a method
+/// that was asked for by name.
+std::optional<AffineSweep> affineSweepOf(const SolidCageInput& input)
+{
+  if (input.method != ProjectionMethod::Harmonic)
+  {
+    return std::nullopt;
+  }
+  for (std::size_t s = 0; s < input.patches.size(); ++s)
+  {
+    for (const QuadMesh& patch : input.patches[s])
+    {
+      if (!isOneLayer(patch, input.solid, input.topology.sides[s]))
+      {
+        return std::nullopt;
+      }
+    }
+  }
+  return findAffineSweep(input.solid, input.topology);
+}
+
+/// Target quads as image of the source quads, straight columns. @return whether all quads are
+/// valid.
+bool sweepToImage(const SolidCageInput& input, const AffineSweep& image, const TriangleMesh& target,
+  const Progress& progress, StageClock& stages, SolidCage& cage)
+{
+  cage.linking = meshRuledSides(input.source.points, cage.loops, linkingSides(input), input.layers,
+    image.map, progressPart(progress, 0.0, 0.4));
+  stages.finish("Linking sides");
+  const RingStack& rings = cage.linking.rings;
+  std::vector<FixedNode> boundary;
+  for (std::size_t l = 0; l < cage.loops.size(); ++l)
+  {
+    const Points last = ringPoints(rings, l, rings.numberOfLayers());
+    for (std::size_t j = 0; j < cage.loops[l].size(); ++j)
+    {
+      boundary.push_back({ cage.loops[l][j], last.row(static_cast<Index>(j)) });
+    }
+  }
+  cage.projection =
+    projectToImage(input.source, image.map, boundary, target, input.singlePrecision);
+  stages.finish("Target quads");
+  return cage.projection.quality.inverted == 0;
+}
+
+BoundaryMismatch sourceMismatch(const SolidCageInput& input, const SurfacePart& source)
+{
+  std::vector<Loop> loops;
+  for (const SweepSide& side : input.topology.sides)
+  {
+    loops.emplace_back();
+    for (const Index point : side.sourceLoop)
+    {
+      loops.back().push_back(source.idOf(point));
+    }
+  }
+  std::vector<Points> rings;
+  for (const Loop& loop :
+    checkSurface(input.source.quads, input.source.points.rows(), "source quads").loops)
+  {
+    rings.push_back(loopPoints(input.source.points, loop));
+  }
+  return boundaryMismatch(source.mesh.points, loops, rings, input.matchTolerance);
+}
+
+void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
+  const TriangleMesh& target, const Progress& progress, StageClock& stages, SolidCage& cage)
+{
+  cage.linking = meshLinkingSides(input.source.points, cage.loops, linkingSides(input),
+    input.layers, input.matchTolerance, progressPart(progress, 0.0, 0.4));
+  stages.finish("Linking sides");
+  SweepProjectionInput projection;
+  projection.source = input.source;
+  projection.target = target;
+  projection.linking = cage.linking.rings;
+  projection.sourceSurface = source;
+  projection.matchTolerance = input.matchTolerance;
+  projection.singlePrecision = input.singlePrecision;
+  projection.ensureValid = input.ensureValid;
+  projection.improveQuality = input.improveQuality;
+  projection.method = input.method;
+  projection.weights = input.weights;
+  projection.improvement = input.improvement;
+  cage.projection = projectSweep(projection, progressPart(progress, 0.4, 1.0));
+  stages.finish("Target quads");
+}
 }
 
 SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
@@ -119,29 +235,23 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   SolidCage cage;
   StageClock stages;
   cage.loops = topology.loops;
+  checkCapCrossings(input.solid, input.topology.sourceTriangles, "source cap");
+  checkCapCrossings(input.solid, input.topology.targetTriangles, "target cap");
   const SurfacePart source = partOf(input.solid, input.topology.sourceTriangles);
   const SurfacePart target = partOf(input.solid, input.topology.targetTriangles);
   cage.greatestDistance = distanceFromCap(input.source, source.mesh);
   stages.finish("Check");
 
-  cage.linking = meshLinkingSides(input.source.points, cage.loops, linkingSides(input),
-    input.layers, input.matchTolerance, progressPart(progress, 0.0, 0.4));
-  stages.finish("Linking sides");
-
-  SweepProjectionInput projection;
-  projection.source = input.source;
-  projection.target = target.mesh;
-  projection.linking = cage.linking.rings;
-  projection.sourceSurface = source.mesh;
-  projection.matchTolerance = input.matchTolerance;
-  projection.singlePrecision = input.singlePrecision;
-  projection.ensureValid = input.ensureValid;
-  projection.improveQuality = input.improveQuality;
-  projection.method = input.method;
-  projection.weights = input.weights;
-  projection.improvement = input.improvement;
-  cage.projection = projectSweep(projection, progressPart(progress, 0.4, 1.0));
-  stages.finish("Target quads");
+  const std::optional<AffineSweep> image = affineSweepOf(input);
+  cage.isRuled = image && sweepToImage(input, *image, target.mesh, progress, stages, cage);
+  if (cage.isRuled)
+  {
+    cage.projection.sourceMismatch = sourceMismatch(input, source);
+  }
+  else
+  {
+    sweepThroughDisks(input, source.mesh, target.mesh, progress, stages, cage);
+  }
 
   cage.source = input.source.points;
   cage.target = cage.projection.quads.points;

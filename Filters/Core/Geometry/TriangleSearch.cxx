@@ -101,12 +101,6 @@ TriangleSearch::TriangleSearch(const PointsRef& points, const TrianglesRef& tria
 {
 }
 
-Eigen::RowVector3d TriangleSearch::position(const TrianglePoint& place) const
-{
-  const Index row = 3 * this->Place[static_cast<std::size_t>(place.triangle)];
-  return place.coordinates * this->Corners.middleRows<3>(row);
-}
-
 void TriangleSearch::build()
 {
   const Index count = this->Corners.rows() / 3;

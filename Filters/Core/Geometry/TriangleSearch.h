@@ -38,9 +38,6 @@ public:
   /// @return some triangle where p is not finite; triangle -1 only where there are none.
   TrianglePoint closest(const Eigen::RowVector3d& p, Index start = -1) const;
 
-  /// Where a point of one of the triangles is.
-  Eigen::RowVector3d position(const TrianglePoint& place) const;
-
 private:
   struct Node
   {

@@ -12,8 +12,6 @@ namespace hexsweep
 {
 namespace
 {
-/// Of the side's size.
-constexpr double Rounding = 1e-12;
 /// Of an edge: a place that is so near to a node of the loop is that node.
 constexpr double NodeRounding = 1e-9;
 
@@ -41,16 +39,10 @@ Eigen::RowVector3d placeOn(
   const Eigen::RowVector3d b = points.row(loop[(edge + 1) % loop.size()]);
   return along < NodeRounding ? a : along > 1.0 - NodeRounding ? b : a + along * (b - a);
 }
-
-double sizeOf(const Points& points)
-{
-  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-}
 }
 
 RuledColumns::RuledColumns(const SideTube& side, const PointsRef& ring, const AffineMap& map)
   : Search(side.surface.points, side.surface.triangles)
-  , Slack(Rounding * sizeOf(side.surface.points))
   , Begin(ring)
   , End(map.apply(ring))
 {
@@ -75,20 +67,12 @@ SideTubeMesh RuledColumns::mesh(const std::vector<double>& fractions) const
   result.nodes.resize((layers + 1) * n, 3);
   result.nodes.topRows(n) = this->Begin;
   result.nodes.bottomRows(n) = this->End;
-  Index near = -1;
   for (Index k = 1; k < layers; ++k)
   {
     const double along = fractions[static_cast<std::size_t>(k)];
-    for (Index j = 0; j < n; ++j)
-    {
-      const Eigen::RowVector3d straight =
-        this->Begin.row(j) + along * (this->End.row(j) - this->Begin.row(j));
-      const TrianglePoint place = this->Search.closest(straight, near);
-      near = place.triangle;
-      result.nodes.row(k * n + j) =
-        place.distance > this->Slack ? this->Search.position(place) : straight;
-    }
+    result.nodes.middleRows(k * n, n) = this->Begin + along * (this->End - this->Begin);
   }
+  Index near = -1;
   result.quadTriangle.reserve(static_cast<std::size_t>(layers * n));
   for (Index k = 0; k < layers; ++k)
   {

@@ -33,15 +33,15 @@ public:
   /// Mean length of the columns.
   double meanLength() const;
 
-  /// Lays the rings. Nodes off the side by more than rounding are put on its triangles.
+  /// Lays the rings on the straight lines: on the side itself, of which its triangles are a
+  /// likeness.
   /// @param fractions of the columns' lengths, 0 ... 1, see layerFractions().
   SideTubeMesh mesh(const std::vector<double>& fractions) const;
 
 private:
   TriangleSearch Search;
-  double Slack = 0.0; ///< distance from the side's triangles that is rounding
-  Points Begin;       ///< ring nodes, bit for bit
-  Points End;         ///< on the target loop
+  Points Begin; ///< ring nodes, bit for bit
+  Points End;   ///< on the target loop
 };
 }
 

@@ -62,6 +62,7 @@ void expectRuled(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary,
   const vtkIdType n = hexes->GetNumberOfPoints() / (layers + 1);
   vtkNew<vtkUnstructuredGrid> caps;
   vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
   for (vtkIdType i = 0; i < boundary->GetNumberOfPoints(); ++i)
   {
     const auto id = static_cast<vtkIdType>(
@@ -262,6 +263,7 @@ TEST(OneToOneSweep, PointsRepeatedAlongEdgesAreMerged)
   // As STL has it: each triangle with points of its own, in single precision.
   vtkNew<vtkUnstructuredGrid> soup;
   vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
   points->SetDataTypeToFloat();
   soup->SetPoints(points);
   for (vtkIdType c = 0; c < surface->GetNumberOfCells(); ++c)
@@ -315,6 +317,7 @@ TEST(OneToOneSweep, DataAreCarried)
 test::Grid facettedCylinder(int sides, double radius, double height, int rows)
 {
   vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
   auto grid = test::Grid::New();
   vtkNew<vtkIntArray> faces;
   faces->SetName(hexsweep::arrays::FaceId);

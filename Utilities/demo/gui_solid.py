@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sweeps one solid in ParaView's window; run by Utilities/screenshot.sh.
+"""Sweeps one solid in ParaView's window, nothing typed; run by Utilities/screenshot.sh.
 
 HEXSWEEP_CASE is the folder of the solid; the file HEXSWEEP_READY is made when all is drawn.
 """
 
-import json
 import os
 
 from paraview import simple
 
 folder = os.environ["HEXSWEEP_CASE"]
-with open(os.path.join(folder, "case.json"), encoding="utf-8") as file:
-    case = json.load(file)
 simple._DisableFirstRenderCameraReset()
 solid = simple.XMLUnstructuredGridReader(
     registrationName="solid.vtu", FileName=[os.path.join(folder, "solid.vtu")]
@@ -19,9 +16,6 @@ solid = simple.XMLUnstructuredGridReader(
 hexes = simple.OneToOneSweep(
     registrationName="OneToOneSweep",
     Solid=solid,
-    SourceFaceIds=case["source_face_ids"],
-    NumberOfLayers=case["suggested_layers"],
-    QuadSize=case["quad_size"],
 )
 hexes.UpdatePipeline()
 bounds = hexes.GetDataInformation().GetBounds()

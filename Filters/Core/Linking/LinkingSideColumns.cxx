@@ -359,18 +359,11 @@ std::vector<double> LinkingSideColumns::fractionsOf(
   return fractions;
 }
 
-SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) const
+Eigen::MatrixXd LinkingSideColumns::heights(
+  const std::vector<double>& fractions, bool keepsPatches) const
 {
   const Index n = this->size();
   const Index layers = static_cast<Index>(fractions.size()) - 1;
-  if (this->Meshed.layers > 1 && this->Meshed.layers != layers)
-  {
-    throw InvalidInput("the part of a linking side that is meshed already has " +
-      std::to_string(this->Meshed.layers) + " layers, and " + std::to_string(layers) +
-      " are asked for. Set the number of layers to " + std::to_string(this->Meshed.layers) + ".");
-  }
-  // Quads of one layer are how walls of an extrusion are given, rather than a mesh to keep.
-  const bool keepsPatches = this->Meshed.layers == layers;
   Eigen::MatrixXd u(n, layers + 1);
   for (Index j = 0; j < n; ++j)
   {
@@ -383,43 +376,77 @@ SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) cons
                        : this->uAt(static_cast<std::size_t>(j), own[static_cast<std::size_t>(k)]);
     }
   }
-  const auto planePlace = [&](Index j, Index k) -> Eigen::RowVector2d {
-    const std::size_t column = static_cast<std::size_t>(j % n);
-    const double turn = j >= n ? 1.0 : 0.0;
-    const double height = u(j % n, k);
-    return { (1.0 - height) * this->Source[column] + height * this->Target[column] + turn, height };
-  };
   // Neighbouring columns of very different length can turn a quad over in the strip. Rings of one
   // height never do: go towards them as far as it takes.
-  const auto isStraight = [&] {
-    for (Index j = 0; j < n; ++j)
-    {
-      for (Index k = 0; k < layers; ++k)
-      {
-        const Eigen::RowVector2d q[4] = { planePlace(j, k), planePlace(j + 1, k),
-          planePlace(j + 1, k + 1), planePlace(j, k + 1) };
-        for (int c = 0; c < 4; ++c)
-        {
-          if (orientation(q[c], q[(c + 1) % 4], q[(c + 3) % 4]) <= 0)
-          {
-            return false;
-          }
-        }
-      }
-    }
-    return true;
-  };
   const Eigen::MatrixXd byLength = u;
   const Eigen::RowVectorXd mean = u.colwise().mean();
   for (const double weight : { 0.25, 0.5, 0.75, 1.0 })
   {
-    if (isStraight())
+    if (this->isStraight(u))
     {
       break;
     }
     u = (1.0 - weight) * byLength + weight * mean.replicate(n, 1);
   }
+  return u;
+}
 
+Eigen::RowVector2d LinkingSideColumns::planePlace(const Eigen::MatrixXd& u, Index j, Index k) const
+{
+  const Index n = this->size();
+  const std::size_t column = static_cast<std::size_t>(j % n);
+  const double turn = j >= n ? 1.0 : 0.0;
+  const double height = u(j % n, k);
+  return { (1.0 - height) * this->Source[column] + height * this->Target[column] + turn, height };
+}
+
+bool LinkingSideColumns::isStraight(const Eigen::MatrixXd& u) const
+{
+  for (Index j = 0; j < this->size(); ++j)
+  {
+    for (Index k = 0; k + 1 < u.cols(); ++k)
+    {
+      const Eigen::RowVector2d q[4] = { this->planePlace(u, j, k), this->planePlace(u, j + 1, k),
+        this->planePlace(u, j + 1, k + 1), this->planePlace(u, j, k + 1) };
+      for (int c = 0; c < 4; ++c)
+      {
+        if (orientation(q[c], q[(c + 1) % 4], q[(c + 3) % 4]) <= 0)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+Eigen::RowVector3d LinkingSideColumns::nodeOn(std::size_t column, double u) const
+{
+  if (this->Edge[column] < 0)
+  {
+    return this->inside(column, u).point;
+  }
+  const StripColumn& edge = this->Strip.columns[static_cast<std::size_t>(this->Edge[column])];
+  const std::size_t after = static_cast<std::size_t>(
+    std::upper_bound(edge.u.begin(), edge.u.end() - 1, u) - edge.u.begin());
+  const double along = (u - edge.u[after - 1]) / (edge.u[after] - edge.u[after - 1]);
+  const Eigen::RowVector3d a = this->Strip.surface.points.row(edge.points[after - 1]);
+  return a + along * (this->Strip.surface.points.row(edge.points[after]) - a);
+}
+
+SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) const
+{
+  const Index n = this->size();
+  const Index layers = static_cast<Index>(fractions.size()) - 1;
+  if (this->Meshed.layers > 1 && this->Meshed.layers != layers)
+  {
+    throw InvalidInput("the part of a linking side that is meshed already has " +
+      std::to_string(this->Meshed.layers) + " layers, and " + std::to_string(layers) +
+      " are asked for. Set the number of layers to " + std::to_string(this->Meshed.layers) + ".");
+  }
+  // Quads of one layer are how walls of an extrusion are given, rather than a mesh to keep.
+  const bool keepsPatches = this->Meshed.layers == layers;
+  const Eigen::MatrixXd u = this->heights(fractions, keepsPatches);
   SideTubeMesh result;
   result.nodes.resize((layers + 1) * n, 3);
   result.quadTriangle.resize(static_cast<std::size_t>(layers * n));
@@ -431,6 +458,7 @@ SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) cons
   for (Index j = 0; j < n; ++j)
   {
     const std::size_t column = static_cast<std::size_t>(j);
+    const bool isMeshed = keepsPatches && this->Meshed.columns[column].rows() > 0;
     for (Index k = 0; k <= layers; ++k)
     {
       auto node = result.nodes.row(k * n + given(j));
@@ -438,26 +466,14 @@ SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) cons
       {
         node = this->Ring.row(j);
       }
-      else if (keepsPatches && this->Meshed.columns[column].rows() > 0)
+      else if (isMeshed)
       {
         node = this->Meshed.columns[column].row(k);
       }
-      else if (k == layers)
-      {
-        node = this->onTargetLoop(this->Target[column]);
-      }
-      else if (this->Edge[column] >= 0)
-      {
-        const StripColumn& edge = this->Strip.columns[static_cast<std::size_t>(this->Edge[column])];
-        const std::size_t after = static_cast<std::size_t>(
-          std::upper_bound(edge.u.begin(), edge.u.end() - 1, u(j, k)) - edge.u.begin());
-        const double along = (u(j, k) - edge.u[after - 1]) / (edge.u[after] - edge.u[after - 1]);
-        const Eigen::RowVector3d a = this->Strip.surface.points.row(edge.points[after - 1]);
-        node = a + along * (this->Strip.surface.points.row(edge.points[after]) - a);
-      }
       else
       {
-        node = this->inside(column, u(j, k)).point;
+        node =
+          k == layers ? this->onTargetLoop(this->Target[column]) : this->nodeOn(column, u(j, k));
       }
     }
     const Index next = (j + 1) % n;
@@ -466,7 +482,8 @@ SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) cons
     for (Index k = 0; k < layers; ++k)
     {
       const Eigen::RowVector2d middle = 0.25 *
-        (planePlace(j, k) + planePlace(j + 1, k) + planePlace(j + 1, k + 1) + planePlace(j, k + 1));
+        (this->planePlace(u, j, k) + this->planePlace(u, j + 1, k) +
+          this->planePlace(u, j + 1, k + 1) + this->planePlace(u, j, k + 1));
       const Index triangle = this->Search->at(middle[0], middle[1]).triangle;
       result.quadTriangle[static_cast<std::size_t>(k * n + quad)] =
         this->Strip.triangleOrigin[static_cast<std::size_t>(triangle)];

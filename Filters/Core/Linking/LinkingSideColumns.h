@@ -98,6 +98,14 @@ private:
   Eigen::RowVector3d onTargetLoop(double v) const;
   double uAt(std::size_t column, double fraction) const;
   StripPlace inside(std::size_t column, double u) const;
+  /// Of column j at layer k: u, by length along the columns unless that turns quads over.
+  Eigen::MatrixXd heights(const std::vector<double>& fractions, bool keepsPatches) const;
+  /// (v, u) of a node; columns go on round the tube. @param u see heights().
+  Eigen::RowVector2d planePlace(const Eigen::MatrixXd& u, Index j, Index k) const;
+  /// Whether all quads are convex in the strip, the right way round.
+  bool isStraight(const Eigen::MatrixXd& u) const;
+  /// Inside a column, on its CAD edge if it is one.
+  Eigen::RowVector3d nodeOn(std::size_t column, double u) const;
 
   SideStrip Strip;
   std::optional<StripSearch> Search; ///< refers to Strip

@@ -132,118 +132,168 @@ CapDescent::CapDescent(const CapCorners& cap)
 
 CapDescent::~CapDescent() = default;
 
-CapDescent::Result CapDescent::descend(
-  const Points& points, const Term& term, int steps, double relativeDecrease) const
+/// The sum of the terms, about one set of points: steps are taken in their tangent planes.
+struct CapDescent::Energy
 {
-  System& system = *this->Equations;
-  const std::vector<QuadCorner>& corners = this->Cap.corners();
-  const std::vector<Index>& freeNodes = this->Cap.freeNodes();
-  const Index count = static_cast<Index>(freeNodes.size());
-  const Points normals = this->Cap.place(points).normals;
-  std::vector<TangentFrame> frames;
-  for (const Index i : freeNodes)
+  Energy(const CapCorners& cap, System& equations, const Term& term, const Points& points)
+    : Cap(cap)
+    , Equations(equations)
+    , TermOf(term)
+    , Gradient(2 * static_cast<Index>(cap.freeNodes().size()))
   {
-    frames.push_back(tangentFrame(normals.row(i)));
-  }
-  std::vector<TangentFrame> planes;
-  for (const QuadCorner& corner : corners)
-  {
-    planes.push_back(tangentFrame(this->Cap.normal(corner, normals)));
+    const Points normals = cap.place(points).normals;
+    for (const Index i : cap.freeNodes())
+    {
+      this->Frames.push_back(tangentFrame(normals.row(i)));
+    }
+    for (const QuadCorner& corner : cap.corners())
+    {
+      this->Planes.push_back(tangentFrame(cap.normal(corner, normals)));
+    }
   }
 
-  const auto edgesOf = [&](std::size_t c, const Points& at) {
-    const QuadCorner& corner = corners[c];
+  double valueAt(const Points& at) const
+  {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < this->Planes.size(); ++c)
+    {
+      if (this->Cap.corners()[c].movable)
+      {
+        sum += this->TermOf(c, this->edgesOf(c, at)).value;
+      }
+    }
+    return sum;
+  }
+
+  /// Fills gradient and Hessian; returns the sum.
+  double assemble(const Points& at)
+  {
+    double sum = 0.0;
+    this->Gradient.setZero();
+    double* values = this->Equations.Hessian.valuePtr();
+    std::fill(values, values + this->Equations.Hessian.nonZeros(), 0.0);
+    for (std::size_t c = 0; c < this->Planes.size(); ++c)
+    {
+      if (this->Cap.corners()[c].movable)
+      {
+        const CornerTerm t = this->TermOf(c, this->edgesOf(c, at));
+        sum += t.value;
+        this->add(c, t);
+      }
+    }
+    return sum;
+  }
+
+  /// Newton's step from where assemble() was called last.
+  Eigen::VectorXd step()
+  {
+    SparseMatrix& hessian = this->Equations.Hessian;
+    const double shift = Damping * hessian.diagonal().mean();
+    for (Index i = 0; i < this->Gradient.size(); ++i)
+    {
+      hessian.coeffRef(i, i) += shift;
+    }
+    return this->Equations.step(this->Gradient);
+  }
+
+  Points moved(const Points& from, const Eigen::VectorXd& move, double t) const
+  {
+    Points next = from;
+    for (std::size_t k = 0; k < this->Frames.size(); ++k)
+    {
+      next.row(this->Cap.freeNodes()[k]) +=
+        t * move.segment<2>(2 * static_cast<Index>(k)).transpose() * this->Frames[k];
+    }
+    return next;
+  }
+
+  const Eigen::VectorXd& gradient() const { return this->Gradient; }
+
+private:
+  Eigen::Matrix2d edgesOf(std::size_t c, const Points& at) const
+  {
+    const QuadCorner& corner = this->Cap.corners()[c];
     Eigen::Matrix<double, 3, 2> edges;
     edges.col(0) = (at.row(corner.node[1]) - at.row(corner.node[0])).transpose();
     edges.col(1) = (at.row(corner.node[2]) - at.row(corner.node[0])).transpose();
-    return Eigen::Matrix2d(planes[c] * edges);
-  };
-  const auto valueAt = [&](const Points& at) {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < corners.size(); ++c)
+    return Eigen::Matrix2d(this->Planes[c] * edges);
+  }
+
+  void add(std::size_t c, const CornerTerm& t)
+  {
+    const QuadCorner& corner = this->Cap.corners()[c];
+    Eigen::Matrix2d turn[3]; // from a node's frame to the corner's plane
+    int variable[3];
+    for (int i = 0; i < 3; ++i)
     {
-      if (corners[c].movable)
+      variable[i] = this->Equations.Variable[static_cast<std::size_t>(corner.node[i])];
+      if (variable[i] >= 0)
       {
-        sum += term(c, edgesOf(c, at)).value;
+        turn[i] = this->Planes[c] * this->Frames[static_cast<std::size_t>(variable[i])].transpose();
+        this->Gradient.segment<2>(2 * variable[i]) += turn[i].transpose() *
+          (EdgeSign[i][0] * t.gradient.col(0) + EdgeSign[i][1] * t.gradient.col(1));
       }
     }
-    return sum;
-  };
-
-  /// Fills gradient and Hessian; returns the sum.
-  Eigen::VectorXd gradient(2 * count);
-  const auto assemble = [&](const Points& at) {
-    double sum = 0.0;
-    gradient.setZero();
-    double* values = system.Hessian.valuePtr();
-    std::fill(values, values + system.Hessian.nonZeros(), 0.0);
-    for (std::size_t c = 0; c < corners.size(); ++c)
+    double* values = this->Equations.Hessian.valuePtr();
+    for (int i = 0; i < 3; ++i)
     {
-      if (!corners[c].movable)
+      for (int j = 0; j < 3; ++j)
       {
-        continue;
-      }
-      const CornerTerm t = term(c, edgesOf(c, at));
-      sum += t.value;
-      Eigen::Matrix2d turn[3]; // from a node's frame to the corner's plane
-      int variable[3];
-      for (int i = 0; i < 3; ++i)
-      {
-        variable[i] = system.Variable[static_cast<std::size_t>(corners[c].node[i])];
-        if (variable[i] >= 0)
+        if (variable[i] < 0 || variable[j] < 0)
         {
-          turn[i] = planes[c] * frames[static_cast<std::size_t>(variable[i])].transpose();
-          gradient.segment<2>(2 * variable[i]) += turn[i].transpose() *
-            (EdgeSign[i][0] * t.gradient.col(0) + EdgeSign[i][1] * t.gradient.col(1));
+          continue;
         }
-      }
-      for (int i = 0; i < 3; ++i)
-      {
-        for (int j = 0; j < 3; ++j)
+        const Eigen::Matrix2d block = turn[i].transpose() * curvatureBetween(t, i, j) * turn[j];
+        for (int k = 0; k < 2; ++k)
         {
-          if (variable[i] < 0 || variable[j] < 0)
-          {
-            continue;
-          }
-          Eigen::Matrix2d block = Eigen::Matrix2d::Zero();
-          for (int e = 0; e < 2; ++e)
-          {
-            for (int f = 0; f < 2; ++f)
-            {
-              block += EdgeSign[i][e] * EdgeSign[j][f] * t.curvature.block<2, 2>(2 * e, 2 * f);
-            }
-          }
-          block = turn[i].transpose() * block * turn[j];
-          for (int k = 0; k < 2; ++k)
-          {
-            const int slot = system.Slots[c * 18 + static_cast<std::size_t>(6 * i + 2 * j + k)];
-            values[slot] += block(0, k);
-            values[slot + 1] += block(1, k);
-          }
+          const int slot =
+            this->Equations.Slots[c * 18 + static_cast<std::size_t>(6 * i + 2 * j + k)];
+          values[slot] += block(0, k);
+          values[slot + 1] += block(1, k);
         }
       }
     }
-    return sum;
-  };
+  }
 
+  /// Of nodes i and j of a corner, in its plane.
+  static Eigen::Matrix2d curvatureBetween(const CornerTerm& t, int i, int j)
+  {
+    Eigen::Matrix2d block = Eigen::Matrix2d::Zero();
+    for (int e = 0; e < 2; ++e)
+    {
+      for (int f = 0; f < 2; ++f)
+      {
+        block += EdgeSign[i][e] * EdgeSign[j][f] * t.curvature.block<2, 2>(2 * e, 2 * f);
+      }
+    }
+    return block;
+  }
+
+  const CapCorners& Cap;
+  System& Equations;
+  const Term& TermOf;
+  Eigen::VectorXd Gradient;
+  std::vector<TangentFrame> Frames; // of the free nodes
+  std::vector<TangentFrame> Planes; // of the corners
+};
+
+CapDescent::Result CapDescent::descend(
+  const Points& points, const Term& term, int steps, double relativeDecrease) const
+{
+  Energy energy(this->Cap, *this->Equations, term, points);
   Result result;
   result.points = points;
-  if (count == 0)
+  if (this->Cap.freeNodes().empty())
   {
-    result.before = result.after = valueAt(points);
+    result.before = result.after = energy.valueAt(points);
     return result;
   }
-  double value = assemble(result.points);
+  double value = energy.assemble(result.points);
   result.before = value;
-  for (int step = 0; step < steps && gradient.squaredNorm() > 0.0; ++step)
+  for (int step = 0; step < steps && energy.gradient().squaredNorm() > 0.0; ++step)
   {
-    const double shift = Damping * system.Hessian.diagonal().mean();
-    for (Index i = 0; i < 2 * count; ++i)
-    {
-      system.Hessian.coeffRef(i, i) += shift;
-    }
-    const Eigen::VectorXd move = system.step(gradient);
-    const double slope = move.dot(gradient);
+    const Eigen::VectorXd move = energy.step();
+    const double slope = move.dot(energy.gradient());
     if (!move.allFinite() || !(slope < 0.0))
     {
       break;
@@ -254,13 +304,8 @@ CapDescent::Result CapDescent::descend(
     int backtrack = 0;
     for (; backtrack < MaximumBacktracks; ++backtrack, t *= 0.5)
     {
-      next = result.points;
-      for (Index k = 0; k < count; ++k)
-      {
-        next.row(freeNodes[static_cast<std::size_t>(k)]) +=
-          t * move.segment<2>(2 * k).transpose() * frames[static_cast<std::size_t>(k)];
-      }
-      nextValue = valueAt(next);
+      next = energy.moved(result.points, move, t);
+      nextValue = energy.valueAt(next);
       if (std::isfinite(nextValue) && nextValue <= value + SufficientDecrease * t * slope)
       {
         break;
@@ -272,7 +317,7 @@ CapDescent::Result CapDescent::descend(
     }
     const bool settled = value - nextValue <= relativeDecrease * std::abs(value);
     result.points = std::move(next);
-    value = settled || step + 1 == steps ? nextValue : assemble(result.points);
+    value = settled || step + 1 == steps ? nextValue : energy.assemble(result.points);
     if (settled)
     {
       break;
@@ -280,7 +325,7 @@ CapDescent::Result CapDescent::descend(
   }
   result.after = value;
   const SurfacePlaces places = this->Cap.place(result.points);
-  for (const Index i : freeNodes)
+  for (const Index i : this->Cap.freeNodes())
   {
     result.points.row(i) = places.points.row(i);
   }

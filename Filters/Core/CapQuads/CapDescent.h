@@ -47,6 +47,7 @@ public:
 
 private:
   struct System;
+  struct Energy;
   const CapCorners& Cap;
   std::unique_ptr<System> Equations;
 };

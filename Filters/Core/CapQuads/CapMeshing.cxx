@@ -192,7 +192,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   divideAtEverySecondPoint(cap.points, curves, kept, divided);
   const DividedCap prepared = putNodesOnCurves(cap, curves, divided, options.keep);
   const SurfaceSearch surface(cap);
-  const TriangleRemesher::Result remeshed = remeshSurface(
+  const RemeshedSurface remeshed = remeshSurface(
     prepared.input, surface, TriangleSize * options.size, Growth, progressPart(progress, 0.0, 0.5));
 
   const std::vector<CurveEdge> onCurves = curveEdges(prepared, remeshed.pointOf, kept);

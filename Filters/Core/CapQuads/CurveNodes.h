@@ -8,7 +8,7 @@
 #define hexsweep_CurveNodes_h
 
 #include "Core/CapQuads/CapCurves.h"
-#include "Core/CapQuads/TriangleRemesher.h"
+#include "Core/CapQuads/RemeshingMesh.h"
 
 #include <utility>
 
@@ -43,7 +43,7 @@ struct CurveEdge
 /**
  * The edges on all curves, by their ends.
  *
- * @param pointOf see TriangleRemesher::Result.
+ * @param pointOf see RemeshedSurface.
  * @param kept    one a curve: whether it is divided at every second point of the cap, and halved at
  *                the others.
  */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/SurfaceRemeshing.h"
 
+#include "Core/CapQuads/TriangleRemesher.h"
 #include "Core/Common/Errors.h"
 
 namespace hexsweep
@@ -13,7 +14,7 @@ constexpr int MaximumCollapsePasses = 30;
 constexpr int MaximumSplitPasses = 60; // each halves what is longest
 }
 
-TriangleRemesher::Result remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
+RemeshedSurface remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
   double size, double growth, const Progress& progress)
 {
   TriangleRemesher mesh(input, surface, size, growth);

@@ -6,7 +6,7 @@
 #ifndef hexsweep_SurfaceRemeshing_h
 #define hexsweep_SurfaceRemeshing_h
 
-#include "Core/CapQuads/TriangleRemesher.h"
+#include "Core/CapQuads/RemeshingMesh.h"
 
 namespace hexsweep
 {
@@ -21,7 +21,7 @@ namespace hexsweep
  * @param growth  of the wanted length with the distance from shorter edges on curves, > 0.
  * @throw Aborted.
  */
-TriangleRemesher::Result remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
+RemeshedSurface remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
   double size, double growth, const Progress& progress = {});
 }
 

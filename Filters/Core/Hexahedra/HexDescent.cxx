@@ -100,6 +100,18 @@ struct HexDescent::System
   std::vector<int> ColumnLength;
   std::optional<MultifrontalSolver> Solver;
 
+  System(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
+    const std::vector<bool>& free)
+    : Cells(hexes)
+    , InverseBoxes(boxes.cwiseInverse())
+  {
+    this->numberVariables(free);
+    const NeighborLists neighbors = this->neighborVariables();
+    this->setPattern(neighbors);
+    this->findSlots(neighbors);
+    this->chooseSolver(points);
+  }
+
   Corners corners(const Points& points, Index h) const
   {
     Corners x;
@@ -254,104 +266,130 @@ struct HexDescent::System
     }
     return next;
   }
+
+private:
+  using NeighborLists = std::vector<std::vector<int>>; // rising
+
+  void numberVariables(const std::vector<bool>& free)
+  {
+    std::vector<Index>& nodes = this->FreeNodes;
+    for (Index i = 0; i < this->Cells.size(); ++i)
+    {
+      if (free[static_cast<std::size_t>(this->Cells.data()[i])])
+      {
+        nodes.push_back(this->Cells.data()[i]);
+      }
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    this->Variables.resize(this->Cells.rows(), 8);
+    for (Index h = 0; h < this->Cells.rows(); ++h)
+    {
+      for (int i = 0; i < 8; ++i)
+      {
+        const auto found = std::lower_bound(nodes.begin(), nodes.end(), this->Cells(h, i));
+        this->Variables(h, i) = found != nodes.end() && *found == this->Cells(h, i)
+          ? static_cast<int>(found - nodes.begin())
+          : -1;
+      }
+    }
+  }
+
+  /// For each free node those that share a hexahedron with it, itself among them.
+  NeighborLists neighborVariables() const
+  {
+    NeighborLists neighbors(this->FreeNodes.size());
+    for (Index h = 0; h < this->Cells.rows(); ++h)
+    {
+      for (int j = 0; j < 8; ++j)
+      {
+        for (int i = 0; i < 8 && this->Variables(h, j) >= 0; ++i)
+        {
+          if (this->Variables(h, i) >= 0)
+          {
+            neighbors[static_cast<std::size_t>(this->Variables(h, j))].push_back(
+              this->Variables(h, i));
+          }
+        }
+      }
+    }
+    for (std::vector<int>& list : neighbors)
+    {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    return neighbors;
+  }
+
+  void setPattern(const NeighborLists& neighbors)
+  {
+    const int n = static_cast<int>(neighbors.size());
+    Eigen::VectorXi lengths(3 * n);
+    for (int j = 0; j < n; ++j)
+    {
+      const int length = 3 * static_cast<int>(neighbors[static_cast<std::size_t>(j)].size());
+      lengths.segment<3>(3 * j).setConstant(length);
+      this->ColumnLength.push_back(length);
+    }
+    this->Hessian.resize(3 * n, 3 * n);
+    this->Hessian.reserve(lengths);
+    for (int j = 0; j < 3 * n; ++j)
+    {
+      for (const int i : neighbors[static_cast<std::size_t>(j / 3)])
+      {
+        for (int r = 0; r < 3; ++r)
+        {
+          this->Hessian.insert(3 * i + r, j) = 0.0;
+        }
+      }
+    }
+    this->Hessian.makeCompressed();
+  }
+
+  void findSlots(const NeighborLists& neighbors)
+  {
+    this->Slots.assign(static_cast<std::size_t>(64 * this->Cells.rows()), -1);
+    for (Index h = 0; h < this->Cells.rows(); ++h)
+    {
+      for (int i = 0; i < 8; ++i)
+      {
+        for (int j = 0; j < 8; ++j)
+        {
+          const int row = this->Variables(h, i);
+          const int column = this->Variables(h, j);
+          if (row >= 0 && column >= 0)
+          {
+            const std::vector<int>& list = neighbors[static_cast<std::size_t>(column)];
+            this->Slots[static_cast<std::size_t>(64 * h + 8 * i + j)] =
+              this->Hessian.outerIndexPtr()[3 * column] +
+              3 * static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin());
+          }
+        }
+      }
+    }
+  }
+
+  /// A factorisation where it is quicker than iterations.
+  void chooseSolver(const PointsRef& points)
+  {
+    const Index n = this->Hessian.rows();
+    if (n == 0 || n > MostFactorized)
+    {
+      return;
+    }
+    Points places(n, 3);
+    for (Index j = 0; j < n; ++j)
+    {
+      places.row(j) = points.row(this->FreeNodes[static_cast<std::size_t>(j / 3)]);
+    }
+    this->Solver.emplace(this->Hessian, MultifrontalSolver::Kind::Cholesky, places);
+  }
 };
 
 HexDescent::HexDescent(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
   const std::vector<bool>& free)
-  : Equations(std::make_unique<System>())
+  : Equations(std::make_unique<System>(points, hexes, boxes, free))
 {
-  System& system = *this->Equations;
-  system.Cells = hexes;
-  system.InverseBoxes = boxes.cwiseInverse();
-  std::vector<Index>& nodes = system.FreeNodes;
-  for (Index i = 0; i < hexes.size(); ++i)
-  {
-    if (free[static_cast<std::size_t>(hexes.data()[i])])
-    {
-      nodes.push_back(hexes.data()[i]);
-    }
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  system.Variables.resize(hexes.rows(), 8);
-  for (Index h = 0; h < hexes.rows(); ++h)
-  {
-    for (int i = 0; i < 8; ++i)
-    {
-      const auto found = std::lower_bound(nodes.begin(), nodes.end(), hexes(h, i));
-      system.Variables(h, i) = found != nodes.end() && *found == hexes(h, i)
-        ? static_cast<int>(found - nodes.begin())
-        : -1;
-    }
-  }
-
-  // The pattern of the nodes, then of their unknowns.
-  const int n = static_cast<int>(nodes.size());
-  std::vector<std::vector<int>> neighbors(nodes.size());
-  for (Index h = 0; h < hexes.rows(); ++h)
-  {
-    for (int j = 0; j < 8; ++j)
-    {
-      for (int i = 0; i < 8 && system.Variables(h, j) >= 0; ++i)
-      {
-        if (system.Variables(h, i) >= 0)
-        {
-          neighbors[static_cast<std::size_t>(system.Variables(h, j))].push_back(
-            system.Variables(h, i));
-        }
-      }
-    }
-  }
-  Eigen::VectorXi lengths(3 * n);
-  for (int j = 0; j < n; ++j)
-  {
-    std::vector<int>& list = neighbors[static_cast<std::size_t>(j)];
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    lengths.segment<3>(3 * j).setConstant(3 * static_cast<int>(list.size()));
-    system.ColumnLength.push_back(3 * static_cast<int>(list.size()));
-  }
-  system.Hessian.resize(3 * n, 3 * n);
-  system.Hessian.reserve(lengths);
-  for (int j = 0; j < 3 * n; ++j)
-  {
-    for (const int i : neighbors[static_cast<std::size_t>(j / 3)])
-    {
-      for (int r = 0; r < 3; ++r)
-      {
-        system.Hessian.insert(3 * i + r, j) = 0.0;
-      }
-    }
-  }
-  system.Hessian.makeCompressed();
-  system.Slots.assign(static_cast<std::size_t>(64 * hexes.rows()), -1);
-  for (Index h = 0; h < hexes.rows(); ++h)
-  {
-    for (int i = 0; i < 8; ++i)
-    {
-      for (int j = 0; j < 8; ++j)
-      {
-        const int row = system.Variables(h, i);
-        const int column = system.Variables(h, j);
-        if (row >= 0 && column >= 0)
-        {
-          const std::vector<int>& list = neighbors[static_cast<std::size_t>(column)];
-          system.Slots[static_cast<std::size_t>(64 * h + 8 * i + j)] =
-            system.Hessian.outerIndexPtr()[3 * column] +
-            3 * static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin());
-        }
-      }
-    }
-  }
-  if (n > 0 && 3 * n <= MostFactorized)
-  {
-    Points places(3 * n, 3);
-    for (int j = 0; j < 3 * n; ++j)
-    {
-      places.row(j) = points.row(nodes[static_cast<std::size_t>(j / 3)]);
-    }
-    system.Solver.emplace(system.Hessian, MultifrontalSolver::Kind::Cholesky, places);
-  }
 }
 
 HexDescent::~HexDescent() = default;

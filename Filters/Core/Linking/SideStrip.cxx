@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Linking/SideStrip.h"
 
-#include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/Predicates.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/PlaneTriangleSearch.h"
+#include "Core/Linking/SideCut.h"
 #include "Core/Linking/SideFeatures.h"
 #include "Core/Solvers/DirichletSolver.h"
 #include "Core/Solvers/SurfaceLaplacian.h"
@@ -15,8 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 
 namespace hexsweep
 {
@@ -148,93 +146,6 @@ std::vector<double> targetPlaces(const SideStrip& strip)
     }
   }
   return v;
-}
-
-/// The tube cut open along paths.
-struct CutTube
-{
-  TriangleMesh mesh;
-  std::vector<Index> original; ///< point of the tube
-  std::vector<bool> onLeft;    ///< a copy that lies left of path 0
-  std::vector<Index> copyOf;   ///< the copy that each point of the tube has not on that left
-};
-
-CutTube cutTube(const TriangleMesh& tube, const std::vector<const std::vector<Index>*>& paths)
-{
-  std::set<std::pair<Index, Index>> cut;
-  for (const std::vector<Index>* path : paths)
-  {
-    for (std::size_t k = 1; k < path->size(); ++k)
-    {
-      cut.emplace(std::minmax((*path)[k - 1], (*path)[k]));
-    }
-  }
-  const Triangles across = triangleNeighbors(tube.triangles);
-  const Index corners = tube.triangles.size();
-  DisjointSets sets(corners);
-  const std::vector<Index>& first = *paths.front();
-  std::map<Index, Index> next;
-  for (std::size_t k = 1; k < first.size(); ++k)
-  {
-    next[first[k - 1]] = first[k];
-  }
-  std::vector<Index> left;
-  for (Index t = 0; t < tube.triangles.rows(); ++t)
-  {
-    for (Index c = 0; c < 3; ++c)
-    {
-      const Index a = tube.triangles(t, c);
-      const Index b = tube.triangles(t, (c + 1) % 3);
-      const auto following = next.find(a);
-      if (following != next.end() && following->second == b)
-      {
-        left.push_back(3 * t + c);
-        left.push_back(3 * t + (c + 1) % 3);
-      }
-      const Index neighbor = across(t, c);
-      if (neighbor < t || cut.count(std::minmax(a, b)) > 0)
-      {
-        continue;
-      }
-      for (Index d = 0; d < 3; ++d)
-      {
-        if (tube.triangles(neighbor, d) == b && tube.triangles(neighbor, (d + 1) % 3) == a)
-        {
-          sets.join(3 * t + c, 3 * neighbor + (d + 1) % 3);
-          sets.join(3 * t + (c + 1) % 3, 3 * neighbor + d);
-        }
-      }
-    }
-  }
-  CutTube result;
-  result.mesh.triangles.resize(tube.triangles.rows(), 3);
-  std::vector<Index> number(at(corners), -1);
-  for (Index corner = 0; corner < corners; ++corner)
-  {
-    Index& id = number[at(sets.find(corner))];
-    if (id < 0)
-    {
-      id = static_cast<Index>(result.original.size());
-      result.original.push_back(tube.triangles(corner / 3, corner % 3));
-    }
-    result.mesh.triangles(corner / 3, corner % 3) = id;
-  }
-  result.onLeft.assign(result.original.size(), false);
-  for (const Index corner : left)
-  {
-    result.onLeft[at(result.mesh.triangles(corner / 3, corner % 3))] = true;
-  }
-  result.mesh.points.resize(static_cast<Index>(result.original.size()), 3);
-  result.copyOf.assign(at(tube.points.rows()), -1);
-  for (std::size_t i = 0; i < result.original.size(); ++i)
-  {
-    result.mesh.points.row(static_cast<Index>(i)) = tube.points.row(result.original[i]);
-    if (!result.onLeft[i])
-    {
-      result.copyOf[at(result.original[i])] = static_cast<Index>(i);
-    }
-  }
-  return result;
 }
 
 Index countFlips(const PlanePoints& plane, const Triangles& triangles)
@@ -370,9 +281,9 @@ std::vector<Index> originsThrough(const std::vector<Index>& outer, const std::ve
   }
   return origins;
 }
-}
 
-SideStrip mapSideToStrip(const SideTube& side, double longestEdge)
+/// The side's triangles, loops and CAD edges, long edges and chords halved.
+SideStrip refinedSide(const SideTube& side, double longestEdge)
 {
   SideStrip strip;
   HalvedSurface halved = halveLongEdges(side.surface, longestEdge);
@@ -391,51 +302,68 @@ SideStrip mapSideToStrip(const SideTube& side, double longestEdge)
   halved = halveChords(strip.surface, [&](Index a, Index b) { return lines.isChord(a, b); });
   strip.surface = std::move(halved.mesh);
   strip.triangleOrigin = originsThrough(halved.triangleOrigin, strip.triangleOrigin);
+  return strip;
+}
 
-  std::vector<const std::vector<Index>*> paths;
-  std::vector<Index> crossing;
+/// Cuts along the CAD edges, or where there are none along the shortest path; the loops begin at
+/// the first cut from now on.
+CutTube cutOpen(SideStrip& strip)
+{
+  std::vector<std::vector<Index>> paths;
   for (const StripColumn& column : strip.columns)
   {
-    paths.push_back(&column.points);
+    paths.push_back(column.points);
   }
   if (paths.empty())
   {
-    crossing = shortestCrossing(strip.surface, strip.source, strip.target);
-    paths.push_back(&crossing);
+    paths.push_back(shortestCrossing(strip.surface, strip.source, strip.target));
   }
-  beginAt(strip.source, paths.front()->front());
-  beginAt(strip.target, paths.front()->back());
-  const std::vector<double> reached =
-    reachedLengths(loopPoints(strip.surface.points, strip.source));
-  for (std::size_t i = 0; i < strip.source.size(); ++i)
+  beginAt(strip.source, paths.front().front());
+  beginAt(strip.target, paths.front().back());
+  return cutTube(strip.surface, paths);
+}
+
+/// Fractions of a loop's length at its points, the first 0.
+std::vector<double> placesByLength(const PointsRef& points, const Loop& loop)
+{
+  const std::vector<double> reached = reachedLengths(loopPoints(points, loop));
+  std::vector<double> places;
+  for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    strip.sourceV.push_back(reached[i] / reached.back());
+    places.push_back(reached[i] / reached.back());
   }
+  return places;
+}
+
+/// v on the loops and the CAD edges.
+void placeFrame(SideStrip& strip, const CutTube& cut)
+{
+  strip.sourceV = placesByLength(strip.surface.points, strip.source);
   for (StripColumn& column : strip.columns)
   {
     column.v =
       strip.sourceV[at(std::find(strip.source.begin(), strip.source.end(), column.points.front()) -
         strip.source.begin())];
   }
-  const CutTube cut = cutTube(strip.surface, paths);
   if (!strip.columns.empty())
   {
     strip.targetV = targetPlaces(strip);
+    return;
   }
-  else
+  strip.targetV = placesByLength(strip.surface.points, strip.target);
+  const double turn = conjugateTurn(strip, cut, strip.targetV);
+  for (double& v : strip.targetV)
   {
-    const std::vector<double> lengths =
-      reachedLengths(loopPoints(strip.surface.points, strip.target));
-    for (std::size_t i = 0; i < strip.target.size(); ++i)
-    {
-      strip.targetV.push_back(lengths[i] / lengths.back());
-    }
-    const double turn = conjugateTurn(strip, cut, strip.targetV);
-    for (double& v : strip.targetV)
-    {
-      v += turn;
-    }
+    v += turn;
   }
+}
+}
+
+SideStrip mapSideToStrip(const SideTube& side, double longestEdge)
+{
+  SideStrip strip = refinedSide(side, longestEdge);
+  const CutTube cut = cutOpen(strip);
+  placeFrame(strip, cut);
   strip.planeTriangles = cut.mesh.triangles;
   strip.flipped = std::numeric_limits<Index>::max();
   for (const Weights weights : { Weights::Cotangent, Weights::MeanValue, Weights::Intrinsic })

@@ -177,7 +177,9 @@ bool sweepToImage(const SolidCageInput& input, const AffineSweep& image, const T
   return cage.projection.quality.inverted == 0;
 }
 
-BoundaryMismatch sourceMismatch(const SolidCageInput& input, const SurfacePart& source)
+/// @param quadLoops of the source quads.
+BoundaryMismatch sourceMismatch(
+  const SolidCageInput& input, const SurfacePart& source, const std::vector<Loop>& quadLoops)
 {
   std::vector<Loop> loops;
   for (const SweepSide& side : input.topology.sides)
@@ -189,8 +191,7 @@ BoundaryMismatch sourceMismatch(const SolidCageInput& input, const SurfacePart& 
     }
   }
   std::vector<Points> rings;
-  for (const Loop& loop :
-    checkSurface(input.source.quads, input.source.points.rows(), "source quads").loops)
+  for (const Loop& loop : quadLoops)
   {
     rings.push_back(loopPoints(input.source.points, loop));
   }
@@ -246,7 +247,7 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   cage.isRuled = image && sweepToImage(input, *image, target.mesh, progress, stages, cage);
   if (cage.isRuled)
   {
-    cage.projection.sourceMismatch = sourceMismatch(input, source);
+    cage.projection.sourceMismatch = sourceMismatch(input, source, cage.loops);
   }
   else
   {

@@ -135,15 +135,9 @@ std::optional<Point> crossingOf(const Triangle& first, const Triangle& second)
 class BoxHierarchy
 {
 public:
-  explicit BoxHierarchy(const TriangleMesh& surface)
-    : Order(static_cast<std::size_t>(surface.triangles.rows()))
+  explicit BoxHierarchy(const std::vector<Box>& boxes)
+    : Order(boxes.size())
   {
-    std::vector<Box> boxes(this->Order.size());
-    for (Index i = 0; i < surface.triangles.size(); ++i)
-    {
-      boxes[static_cast<std::size_t>(i / 3)].extend(
-        surface.points.row(surface.triangles.data()[i]).transpose());
-    }
     std::iota(this->Order.begin(), this->Order.end(), Index{ 0 });
     this->build(boxes, 0, this->Order.size());
   }
@@ -259,7 +253,7 @@ std::optional<SurfaceCrossing> findCrossing(const TriangleMesh& surface)
     boxes.push_back(box);
   }
   std::optional<SurfaceCrossing> found;
-  BoxHierarchy(surface).forEachPair([&](Index a, Index b) {
+  BoxHierarchy(boxes).forEachPair([&](Index a, Index b) {
     const bool isLower =
       !found || std::make_pair(a, b) < std::make_pair(found->first, found->second);
     if (!isLower ||

@@ -2,6 +2,8 @@
 // Structured quads on tubes whose shape is known in closed form.
 #include "Core/Linking/LinkingSides.h"
 
+#include "Support/SideTubes.h"
+
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Linking/LayerSpacing.h"
@@ -12,7 +14,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <random>
 
 namespace
 {
@@ -24,55 +25,10 @@ using hexsweep::Loop;
 using hexsweep::Points;
 using hexsweep::QuadMesh;
 using hexsweep::SideTube;
-using Place = std::function<Eigen::RowVector3d(double v, double u)>;
-
-constexpr double TwoPi = 6.283185307179586;
-
-/// A tube of `around` x `along` pairs of triangles; inner points shaken in the parameters.
-/// faceOf(v, u) of the middle of a pair gives its face.
-SideTube tube(Index around, Index along, const Place& place,
-  const std::function<Index(double v, double u)>& faceOf = {}, double shake = 0.0)
-{
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> random(-shake, shake);
-  SideTube side;
-  side.surface.points.resize(around * (along + 1), 3);
-  side.surface.triangles.resize(2 * around * along, 3);
-  for (Index k = 0; k <= along; ++k)
-  {
-    for (Index j = 0; j < around; ++j)
-    {
-      const bool isInside = k > 0 && k < along;
-      const double v = (static_cast<double>(j) + (isInside ? random(generator) : 0.0)) /
-        static_cast<double>(around);
-      const double u = (static_cast<double>(k) + (isInside ? random(generator) : 0.0)) /
-        static_cast<double>(along);
-      side.surface.points.row(k * around + j) = place(v, u);
-    }
-  }
-  for (Index k = 0; k < along; ++k)
-  {
-    for (Index j = 0; j < around; ++j)
-    {
-      const Index a = k * around + j;
-      const Index b = k * around + (j + 1) % around;
-      const Index row = 2 * (k * around + j);
-      side.surface.triangles.row(row) << a, b, b + around;
-      side.surface.triangles.row(row + 1) << a, b + around, a + around;
-      if (faceOf)
-      {
-        const Index face = faceOf((static_cast<double>(j) + 0.5) / static_cast<double>(around),
-          (static_cast<double>(k) + 0.5) / static_cast<double>(along));
-        side.faceIds.insert(side.faceIds.end(), 2, face);
-      }
-    }
-  }
-  for (Index j = 0; j < around; ++j)
-  {
-    side.sourceLoop.push_back(j);
-  }
-  return side;
-}
+using test::Cylinder;
+using test::tube;
+using test::TwoPi;
+using Place = test::TubePlace;
 
 Points ringOf(Index n, const Place& place, double offset = 0.0)
 {
@@ -143,10 +99,6 @@ double greatestDistance(const SideTube& side, const Points& nodes)
   }
   return greatest;
 }
-
-const Place Cylinder = [](double v, double u) -> Eigen::RowVector3d {
-  return { std::cos(TwoPi * v), std::sin(TwoPi * v), 3.0 * u };
-};
 
 /// Mean angle by which the columns of ring nodes [first, first + n) turn about the z axis.
 double meanTurn(const LinkingMesh& mesh, Index firstNode, Index n)

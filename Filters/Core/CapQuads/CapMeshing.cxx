@@ -13,6 +13,7 @@
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Surfaces/SurfaceArea.h"
 #include "Core/Surfaces/SurfaceTopology.h"
+#include "Core/Surfaces/UsedPoints.h"
 
 #include <Eigen/Geometry>
 
@@ -61,11 +62,7 @@ void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
       "), more than 50 million. Give a larger size, at least " +
       describe(std::max(std::sqrt(area / MaximumQuads), perimeter / MaximumQuads)) + ".");
   }
-  std::vector<bool> used(static_cast<std::size_t>(cap.points.rows()), false);
-  for (Index i = 0; i < cap.triangles.size(); ++i)
-  {
-    used[static_cast<std::size_t>(cap.triangles.data()[i])] = true;
-  }
+  const std::vector<bool> used = usedPoints(cap.triangles, cap.points.rows());
   for (const Index point : options.keep)
   {
     if (point < 0 || point >= cap.points.rows() || !used[static_cast<std::size_t>(point)])

@@ -2,6 +2,7 @@
 #include "Core/CapQuads/ImageProjection.h"
 
 #include "Core/Geometry/SurfaceSearch.h"
+#include "Core/Surfaces/UsedPoints.h"
 
 namespace hexsweep
 {
@@ -17,11 +18,7 @@ SweepProjection projectToImage(const QuadMesh& source, const AffineMap& map,
   SweepProjection result;
   Points& points = result.quads.points;
   points = source.points;
-  std::vector<bool> used(static_cast<std::size_t>(points.rows()), false);
-  for (Index i = 0; i < source.quads.size(); ++i)
-  {
-    used[static_cast<std::size_t>(source.quads.data()[i])] = true;
-  }
+  const std::vector<bool> used = usedPoints(source.quads, points.rows());
   const Points image = map.apply(source.points);
   const SurfaceSearch surface(target);
   const SurfacePlaces places = surface.project(image);

@@ -8,6 +8,7 @@
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Linking/LoopMatching.h"
 #include "Core/Surfaces/SurfaceTopology.h"
+#include "Core/Surfaces/UsedPoints.h"
 
 #include <algorithm>
 #include <string>
@@ -129,16 +130,6 @@ Boundary placeBoundary(
   return boundary;
 }
 
-std::vector<bool> usedPoints(const QuadMesh& mesh)
-{
-  std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
-  for (Index i = 0; i < mesh.quads.size(); ++i)
-  {
-    used[static_cast<std::size_t>(mesh.quads.data()[i])] = true;
-  }
-  return used;
-}
-
 /// Every boundary node of one disk must be one of the other, in the same place.
 void checkSameBoundary(const CapDisk& source, const CapDisk& target)
 {
@@ -213,7 +204,7 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
 {
   const SurfaceSearch surface(target);
   // Points that no quad uses are nobody's to move; they count as fixed.
-  std::vector<bool> fixed = usedPoints(input.source);
+  std::vector<bool> fixed = usedPoints(input.source.quads, input.source.points.rows());
   fixed.flip();
   for (const FixedNode& node : boundary.nodes)
   {
@@ -238,9 +229,9 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
     isThinAffineSweep(input, boundary, outer))
   {
     Points harmonic = std::move(result.quads.points);
-    result.quads.points =
-      projectAffinely(input.source.points, usedPoints(input.source), boundary.nodes, outer, target)
-        .points;
+    result.quads.points = projectAffinely(input.source.points,
+      usedPoints(input.source.quads, input.source.points.rows()), boundary.nodes, outer, target)
+                            .points;
     judge();
     if (result.quality.inverted == 0)
     {
@@ -333,7 +324,7 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
   const TriangleMesh target =
     given ? input.targetDisk->mesh : oriented(input.target, "target surface");
   const Boundary boundary = placeBoundary(input, target, topology.loops);
-  const std::vector<bool> used = usedPoints(input.source);
+  const std::vector<bool> used = usedPoints(input.source.quads, input.source.points.rows());
   reportProgress(progress, 0.05);
 
   SweepProjection result;

@@ -197,6 +197,7 @@ MeshedColumns tracePatches(const std::vector<QuadMesh>& patches, const PointsRef
 {
   MeshedColumns result;
   result.columns.resize(at(ring.rows()));
+  Index firstMeshed = -1;
   for (const QuadMesh& patch : patches)
   {
     std::map<Index, std::vector<Index>> columns;
@@ -216,9 +217,11 @@ MeshedColumns tracePatches(const std::vector<QuadMesh>& patches, const PointsRef
       if (result.layers != 0 && result.layers != layers)
       {
         throw InvalidInput("two parts of a linking side are meshed already, with " +
-          std::to_string(result.layers) + " and with " + std::to_string(layers) +
-          " layers. Mesh them with the same number of layers, or give one of them as triangles.");
+          std::to_string(result.layers) + " layers at " + describe(ring.row(firstMeshed)) +
+          " and with " + std::to_string(layers) + " layers at " + describe(ring.row(j)) +
+          ". Mesh them with the same number of layers, or give one of them as triangles.");
       }
+      firstMeshed = firstMeshed < 0 ? j : firstMeshed;
       result.layers = layers;
       Points nodes(layers + 1, 3);
       for (Index k = 0; k <= layers; ++k)

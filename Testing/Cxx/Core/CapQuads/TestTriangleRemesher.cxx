@@ -122,6 +122,34 @@ void expectSameTopology(const TriangleMesh& before, const TriangleMesh& after)
   EXPECT_EQ(now.eulerCharacteristic, old.eulerCharacteristic);
   EXPECT_EQ(now.loops.size(), old.loops.size());
 }
+
+/// A polygon, counter-clockwise, whose corners stay, and triangles from a point in it.
+RemeshingInput fan(const hexsweep::Points& polygon, const Eigen::RowVector3d& middle)
+{
+  const Index n = polygon.rows();
+  RemeshingInput input;
+  input.mesh.points.resize(n + 1, 3);
+  input.mesh.points << polygon, middle;
+  input.mesh.triangles.resize(n, 3);
+  for (Index j = 0; j < n; ++j)
+  {
+    input.mesh.triangles.row(j) << j, (j + 1) % n, n;
+  }
+  input.stays.assign(static_cast<std::size_t>(n), true);
+  input.stays.push_back(false);
+  return input;
+}
+
+hexsweep::Points relaxed(const RemeshingInput& input)
+{
+  const SurfaceSearch surface(input.mesh);
+  TriangleRemesher remesher(input, surface, 1.0, Growth);
+  remesher.relax();
+  const RemeshedSurface result = remesher.result();
+  expectKept(input, result);
+  EXPECT_GT(leastArea(result.mesh), 0.0);
+  return result.mesh.points.row(result.pointOf.back());
+}
 }
 
 TEST(TriangleRemesher, FlipsToDelaunay)
@@ -317,4 +345,27 @@ TEST(TriangleRemesher, SplitsAndCollapsesTowardsTheWantedLength)
   EXPECT_EQ(coarse.mesh.points.rows(), plate.points.rows() - collapses);
   expectSameTopology(plate, coarse.mesh);
   EXPECT_GT(leastArea(coarse.mesh), 0.0);
+}
+
+TEST(TriangleRemesher, RelaxesToTheCentroid)
+{
+  hexsweep::Points corners(4, 3);
+  corners << 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 3.0, 2.0, 0.0, 0.0, 1.0, 0.0;
+  // A rectangle of 3 x 1 and a triangle of half its area on it.
+  const Eigen::RowVector3d centroid =
+    (2.0 * Eigen::RowVector3d(1.5, 0.5, 0.0) + Eigen::RowVector3d(2.0, 4.0 / 3.0, 0.0)) / 3.0;
+  for (const double x : { 0.2, 1.0, 2.9 })
+  {
+    const Eigen::RowVector3d start(x, 0.4, 0.0);
+    EXPECT_LT((relaxed(fan(corners, start)) - centroid).norm(), 1e-15) << x;
+  }
+}
+
+// The centroid of an arrow head lies outside: whatever goes there turns triangles over.
+TEST(TriangleRemesher, RelaxingTurnsNoTriangleOver)
+{
+  hexsweep::Points arrow(4, 3);
+  arrow << 0.0, 1.0, 0.0, -4.0, -4.0, 0.0, 0.0, 0.0, 0.0, 4.0, -4.0, 0.0;
+  const Eigen::RowVector3d start(0.0, 0.5, 0.0);
+  EXPECT_EQ(relaxed(fan(arrow, start)), start);
 }

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <random>
 #include <vector>
 
 namespace
@@ -42,9 +42,10 @@ std::vector<double> cornerPlaces()
   {
     places.push_back(places.back() + (corner(j + 1) - corner(j)).norm());
   }
+  const double whole = places.back();
   for (double& place : places)
   {
-    place /= places.back() == place ? place : places[static_cast<std::size_t>(Around)];
+    place /= whole;
   }
   return places;
 }
@@ -168,7 +169,7 @@ TEST(SideStrip, CadEdgesOfAnObliquePrismAreColumns)
     for (std::size_t c = 0; c < strip.columns.size(); ++c)
     {
       const hexsweep::StripColumn& column = strip.columns[c];
-      EXPECT_GT(column.v, c == 0 ? -1e-300 : strip.columns[c - 1].v);
+      EXPECT_GT(column.v, c == 0 ? -1.0 : strip.columns[c - 1].v);
       ASSERT_EQ(column.points.size(), column.u.size());
       const Eigen::RowVector3d foot = strip.surface.points.row(column.points.front());
       for (std::size_t k = 0; k < column.points.size(); ++k)

@@ -7,6 +7,7 @@
 #include "Core/Geometry/SurfaceSearch.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Linking/LoopMatching.h"
+#include "Core/Surfaces/Cap.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "Core/Surfaces/UsedPoints.h"
 
@@ -21,17 +22,9 @@ namespace
 /// Disk coordinates of common boundary nodes agree to rounding; the disk's size is 1.
 constexpr double SameDiskPoint = 1e-9;
 
-TriangleMesh oriented(const TriangleMesh& mesh, const std::string& what)
-{
-  TriangleMesh result = mesh;
-  result.triangles = orientFaces(mesh.triangles, what);
-  checkCap(checkSurface(result.triangles, result.points.rows(), what), what);
-  return result;
-}
-
-CommonDisks mapPairs(const TriangleMesh& cap, const TriangleMesh& partner,
-  const LinkedLoops& linked, Weights weights, double matchTolerance, const Progress& progress,
-  const CapNames& names, TriangulationImprovement improvement)
+CommonDisks mapPairs(const Cap& cap, const Cap& partner, const LinkedLoops& linked, Weights weights,
+  double matchTolerance, const Progress& progress, const CapNames& names,
+  TriangulationImprovement improvement)
 {
   if (!linked.swapped)
   {
@@ -57,23 +50,13 @@ std::vector<LoopPair> sourceFirst(LinkedLoops linked)
   return std::move(linked.pairs);
 }
 
-LinkedLoops link(const TriangleMesh& cap, const TriangleMesh& partner, const QuadMesh& linking,
-  double matchTolerance, const CapNames& names)
-{
-  return linkLoops(cap.points, checkSurface(cap.triangles, cap.points.rows(), names.first).loops,
-    partner.points, checkSurface(partner.triangles, partner.points.rows(), names.second).loops,
-    linking.points, linking.quads, matchTolerance);
-}
-
-BoundaryMismatch mismatchOf(const TriangleMesh& cap, const std::string& what,
-  const std::vector<Points>& rings, double matchTolerance)
+BoundaryMismatch mismatchOf(const Cap& cap, const std::vector<Points>& rings, double matchTolerance)
 {
   if (rings.empty())
   {
     return {};
   }
-  return boundaryMismatch(
-    cap.points, checkSurface(cap.triangles, cap.points.rows(), what).loops, rings, matchTolerance);
+  return boundaryMismatch(cap.points(), cap.loops(), rings, matchTolerance);
 }
 
 /// Where the boundary nodes of the quads belong on the target cap.
@@ -88,7 +71,7 @@ struct Boundary
 };
 
 Boundary placeBoundary(
-  const SweepProjectionInput& input, const TriangleMesh& target, const std::vector<Loop>& loops)
+  const SweepProjectionInput& input, const Cap& target, const std::vector<Loop>& loops)
 {
   Boundary boundary;
   if (input.linking)
@@ -114,9 +97,8 @@ Boundary placeBoundary(
     }
     return boundary;
   }
-  MatchedLoops matched = matchLoopsByShape(input.source.points, loops, target.points,
-    checkSurface(target.triangles, target.points.rows(), "target surface").loops, "source quads",
-    "target surface");
+  MatchedLoops matched = matchLoopsByShape(
+    input.source.points, loops, target.points(), target.loops(), "source quads", "target surface");
   for (std::size_t l = 0; l < loops.size(); ++l)
   {
     for (std::size_t j = 0; j < loops[l].size(); ++j)
@@ -162,6 +144,51 @@ void checkSameBoundary(const CapDisk& source, const CapDisk& target)
                        "with the other as Partner and the same linking sides, or let the projector "
                        "make the maps (DiskMaps = Automatic).");
   }
+}
+
+/// The source cap, of its own triangulation or that of the quads.
+Cap sourceCap(const SweepProjectionInput& input)
+{
+  return input.sourceSurface
+    ? makeCap(*input.sourceSurface, "source surface")
+    : makeCap({ input.source.points, halveQuads(input.source.points, input.source.quads) },
+        "source quads");
+}
+
+/// Fills the disk maps of the result, and what there is to say of them. @param loops of the quads.
+void mapCaps(const SweepProjectionInput& input, const std::vector<Loop>& loops, const Cap& target,
+  const Boundary& boundary, const Progress& progress, SweepProjection& result)
+{
+  const Cap source = sourceCap(input);
+  std::vector<Points> firstRings;
+  for (const Loop& loop : loops)
+  {
+    firstRings.push_back(loopPoints(input.source.points, loop));
+  }
+  result.sourceMismatch = mismatchOf(source, firstRings, input.matchTolerance);
+  const CapNames names{ input.sourceSurface ? "source surface" : "source quads", "target surface",
+    input.linking ? "linking sides" : "source quads" };
+  LinkedLoops linked;
+  linked.pairs = boundary.shapePairs;
+  if (input.linking)
+  {
+    linked = linkLoops(*input.linking);
+  }
+  CommonDisks disks;
+  if (input.method == ProjectionMethod::PaperHarmonic)
+  {
+    PaperDisks pinned = paperDiskMap(source, target, sourceFirst(std::move(linked)), input.weights,
+      input.matchTolerance, progress, names);
+    disks = std::move(pinned.disks);
+    result.nitsche = pinned.nitsche;
+  }
+  else
+  {
+    disks = mapPairs(source, target, linked, input.weights, input.matchTolerance, progress, names,
+      input.improvement);
+  }
+  result.source = std::move(disks.first);
+  result.target = std::move(disks.second);
 }
 
 /**
@@ -278,21 +305,20 @@ LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
   const Progress& progress, TriangulationImprovement improvement)
 {
-  const TriangleMesh first = oriented(cap, "input surface");
-  const TriangleMesh second = oriented(partner, "partner surface");
+  const Cap first = makeCap(cap, "input surface");
+  const Cap second = makeCap(partner, "partner surface");
   const CapNames names{ "input surface", "partner surface",
     linking ? "linking sides" : "input surface" };
   LinkedLoops linked;
   MatchedLoops matched;
   if (linking)
   {
-    linked = link(first, second, *linking, matchTolerance, names);
+    linked = linkLoops(first.points(), first.loops(), second.points(), second.loops(),
+      linking->points, linking->quads, matchTolerance);
   }
   else
   {
-    matched = matchLoopsByShape(first.points,
-      checkSurface(first.triangles, first.points.rows(), "input surface").loops, second.points,
-      checkSurface(second.triangles, second.points.rows(), "partner surface").loops,
+    matched = matchLoopsByShape(first.points(), first.loops(), second.points(), second.loops(),
       "input surface", "partner surface");
     linked.pairs = outerFirst(std::move(matched.pairs));
   }
@@ -304,7 +330,7 @@ LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   {
     rings.push_back(linked.swapped ? pair.second : pair.first);
   }
-  disks.mismatch = mismatchOf(first, "input surface", rings, matchTolerance);
+  disks.mismatch = mismatchOf(first, rings, matchTolerance);
   disks.startFractions = std::move(matched.startFractions);
   disks.doubts = std::move(matched.doubts);
   return disks;
@@ -321,9 +347,9 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
     throw InvalidInput("the method PaperHarmonic makes disk maps of its own and cannot use given "
                        "ones. Set DiskMaps to Automatic, or Method to Harmonic.");
   }
-  const TriangleMesh target =
-    given ? input.targetDisk->mesh : oriented(input.target, "target surface");
+  const Cap target = makeCap(given ? input.targetDisk->mesh : input.target, "target surface");
   const Boundary boundary = placeBoundary(input, target, topology.loops);
+  const Loop& outer = topology.loops[longestLoop(input.source.points, topology.loops)];
   const std::vector<bool> used = usedPoints(input.source.quads, input.source.points.rows());
   reportProgress(progress, 0.05);
 
@@ -332,13 +358,11 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
   result.doubts = boundary.doubts;
   if (!given)
   {
-    result.targetMismatch =
-      mismatchOf(target, "target surface", boundary.lastRings, input.matchTolerance);
+    result.targetMismatch = mismatchOf(target, boundary.lastRings, input.matchTolerance);
   }
   if (input.method == ProjectionMethod::AffineLeastSquares)
   {
-    result.quads = projectAffinely(input.source.points, used, boundary.nodes,
-      topology.loops[longestLoop(input.source.points, topology.loops)], target,
+    result.quads = projectAffinely(input.source.points, used, boundary.nodes, outer, target.mesh(),
       progressPart(progress, 0.05, 0.7));
   }
   else
@@ -351,47 +375,14 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
     }
     else
     {
-      const TriangleMesh source = input.sourceSurface
-        ? oriented(*input.sourceSurface, "source surface")
-        : TriangleMesh{ input.source.points, halveQuads(input.source.points, input.source.quads) };
-      std::vector<Points> firstRings;
-      for (const Loop& loop : topology.loops)
-      {
-        firstRings.push_back(loopPoints(input.source.points, loop));
-      }
-      result.sourceMismatch =
-        mismatchOf(source, "source surface", firstRings, input.matchTolerance);
-      const CapNames names{ input.sourceSurface ? "source surface" : "source quads",
-        "target surface", input.linking ? "linking sides" : "source quads" };
-      LinkedLoops linked;
-      linked.pairs = boundary.shapePairs;
-      if (input.linking)
-      {
-        linked = linkLoops(*input.linking);
-      }
-      const Progress mapping = progressPart(progress, 0.05, 0.6);
-      CommonDisks disks;
-      if (input.method == ProjectionMethod::PaperHarmonic)
-      {
-        PaperDisks pinned = paperDiskMap(source, target, sourceFirst(std::move(linked)),
-          input.weights, input.matchTolerance, mapping, names);
-        disks = std::move(pinned.disks);
-        result.nitsche = pinned.nitsche;
-      }
-      else
-      {
-        disks = mapPairs(source, target, linked, input.weights, input.matchTolerance, mapping,
-          names, input.improvement);
-      }
-      result.source = std::move(disks.first);
-      result.target = std::move(disks.second);
+      mapCaps(input, topology.loops, target, boundary, progressPart(progress, 0.05, 0.6), result);
     }
     result.quads = projectThroughDisks(input.source.points, used, boundary.nodes, *result.source,
       *result.target, progressPart(progress, 0.6, 0.7));
   }
   // The triangulation of the map, also where it was made here: given maps must give the same bits.
-  improve(result, input, boundary, topology.loops[longestLoop(input.source.points, topology.loops)],
-    result.target ? result.target->mesh : target, progressPart(progress, 0.7, 1.0));
+  improve(result, input, boundary, outer, result.target ? result.target->mesh : target.mesh(),
+    progressPart(progress, 0.7, 1.0));
   reportProgress(progress, 1.0);
   return result;
 }

@@ -198,19 +198,19 @@ CapDisk unmappedCap(const CapBoundary& cap, Index numberOfOriginalPoints)
 
 namespace
 {
-CommonDisks mapBoth(const TriangleMesh& first, const TriangleMesh& second,
-  const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress, const CapNames& names, TriangulationImprovement improvement)
+CommonDisks mapBoth(const Cap& first, const Cap& second, const std::vector<LoopPair>& pairs,
+  Weights weights, double matchTolerance, const Progress& progress, const CapNames& names,
+  TriangulationImprovement improvement)
 {
   reportProgress(progress, 0.0);
   CapBoundaries caps = matchCapBoundaries(first, second, pairs, matchTolerance, names);
   reportProgress(progress, 0.3);
   CommonDisks disks;
   disks.pairs = caps.pairs;
-  disks.first = unmappedCap(caps.first, first.points.rows());
-  disks.second = unmappedCap(caps.second, second.points.rows());
-  const CapWeights capWeights{ improveCap(disks.first, first, weights, improvement),
-    improveCap(disks.second, second, weights, improvement) };
+  disks.first = unmappedCap(caps.first, first.points().rows());
+  disks.second = unmappedCap(caps.second, second.points().rows());
+  const CapWeights capWeights{ improveCap(disks.first, first.mesh(), weights, improvement),
+    improveCap(disks.second, second.mesh(), weights, improvement) };
   caps.first.mesh = disks.first.mesh;
   caps.second.mesh = disks.second.mesh;
   if (pairs.size() == 2)
@@ -226,9 +226,9 @@ CommonDisks mapBoth(const TriangleMesh& first, const TriangleMesh& second,
 }
 }
 
-CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
-  const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress, const CapNames& names, TriangulationImprovement improvement)
+CommonDisks commonDiskMap(const Cap& first, const Cap& second, const std::vector<LoopPair>& pairs,
+  Weights weights, double matchTolerance, const Progress& progress, const CapNames& names,
+  TriangulationImprovement improvement)
 {
   return improvedOrPlain(
     improvement,

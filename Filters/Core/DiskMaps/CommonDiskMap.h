@@ -35,14 +35,12 @@ CapDisk unmappedCap(const CapBoundary& cap, Index numberOfOriginalPoints);
  * Cotangent weights are tried first; where a triangle is flipped, mean value weights are tried and
  * kept if they flip fewer.
  *
- * @param first, second consistently oriented triangulations of the caps.
  * @param pairs         rings on both, the outer one first.
  * @param improvement   what may be done to the triangulations, see improveCap().
  * @throw InvalidInput (see matchCapBoundaries()), SolverFailure, Aborted.
  */
-CommonDisks commonDiskMap(const TriangleMesh& first, const TriangleMesh& second,
-  const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress = {}, const CapNames& names = {},
+CommonDisks commonDiskMap(const Cap& first, const Cap& second, const std::vector<LoopPair>& pairs,
+  Weights weights, double matchTolerance, const Progress& progress = {}, const CapNames& names = {},
   TriangulationImprovement improvement = TriangulationImprovement::Off);
 }
 

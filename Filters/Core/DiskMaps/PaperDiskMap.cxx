@@ -112,17 +112,16 @@ CanonicalBoundary canonicalBoundary(const TriangleMesh& mesh, const std::vector<
   return boundary;
 }
 
-PaperDisks paperDiskMap(const TriangleMesh& source, const TriangleMesh& target,
-  const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress, const CapNames& names)
+PaperDisks paperDiskMap(const Cap& source, const Cap& target, const std::vector<LoopPair>& pairs,
+  Weights weights, double matchTolerance, const Progress& progress, const CapNames& names)
 {
   reportProgress(progress, 0.0);
   const CapBoundaries caps = matchCapBoundaries(source, target, pairs, matchTolerance, names);
   reportProgress(progress, 0.3);
   PaperDisks result;
   result.disks.pairs = caps.pairs;
-  result.disks.first = unmappedCap(caps.first, source.points.rows());
-  result.disks.second = unmappedCap(caps.second, target.points.rows());
+  result.disks.first = unmappedCap(caps.first, source.points().rows());
+  result.disks.second = unmappedCap(caps.second, target.points().rows());
   const CanonicalBoundary boundary =
     canonicalBoundary(caps.second.mesh, caps.second.loops, targetAngles(caps));
   if (boundary.cylinder)

@@ -78,9 +78,9 @@ struct PaperDisks
  * @param pairs rings on both, LoopPair::first on the source; the outer one first.
  * @throw InvalidInput (see matchCapBoundaries()), SolverFailure, Aborted.
  */
-PaperDisks paperDiskMap(const TriangleMesh& source, const TriangleMesh& target,
-  const std::vector<LoopPair>& pairs, Weights weights, double matchTolerance,
-  const Progress& progress = {}, const CapNames& names = {});
+PaperDisks paperDiskMap(const Cap& source, const Cap& target, const std::vector<LoopPair>& pairs,
+  Weights weights, double matchTolerance, const Progress& progress = {},
+  const CapNames& names = {});
 }
 
 #endif

@@ -306,14 +306,9 @@ LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstL
   return linked;
 }
 
-CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& second,
+CapBoundaries matchCapBoundaries(const Cap& first, const Cap& second,
   const std::vector<LoopPair>& pairs, double matchTolerance, const CapNames& names)
 {
-  const SurfaceTopology firstTopology =
-    checkSurface(first.triangles, first.points.rows(), names.first);
-  const SurfaceTopology secondTopology =
-    checkSurface(second.triangles, second.points.rows(), names.second);
-
   CapBoundaries result;
   result.pairs = pairs;
   std::vector<const Points*> firstRings;
@@ -324,10 +319,10 @@ CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& 
     secondRings.push_back(&pair.second);
   }
   std::vector<RingOnCap> onFirst =
-    findRings(first.points, firstTopology.loops, firstRings, names.first, names.rings);
+    findRings(first.points(), first.loops(), firstRings, names.first, names.rings);
   // The outer ring, not the way the cap happens to face, says which side is up: the result is the
   // same for both. Linking sides may have given the other rings either direction.
-  TriangleMesh upright = first;
+  TriangleMesh upright = first.mesh();
   const bool turnFirst = onFirst.front().reversed;
   if (turnFirst)
   {
@@ -344,8 +339,8 @@ CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& 
     }
   }
   const std::vector<RingOnCap> onSecond =
-    findRings(second.points, secondTopology.loops, secondRings, names.second, names.rings);
-  TriangleMesh turned = second;
+    findRings(second.points(), second.loops(), secondRings, names.second, names.rings);
+  TriangleMesh turned = second.mesh();
   for (const RingOnCap& ring : onSecond)
   {
     if (ring.reversed != onSecond.front().reversed)
@@ -362,9 +357,9 @@ CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& 
   }
 
   const AttachedLoops firstAttached =
-    attach(first.points, firstTopology.loops, onFirst, firstRings, matchTolerance);
+    attach(first.points(), first.loops(), onFirst, firstRings, matchTolerance);
   const AttachedLoops secondAttached =
-    attach(second.points, secondTopology.loops, onSecond, secondRings, matchTolerance);
+    attach(second.points(), second.loops(), onSecond, secondRings, matchTolerance);
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
     result.united.push_back(uniteParameters(

@@ -8,6 +8,7 @@
 #define hexsweep_CapBoundary_h
 
 #include "Core/Linking/RingStack.h"
+#include "Core/Surfaces/Cap.h"
 
 #include <string>
 
@@ -87,12 +88,12 @@ struct CapBoundaries
  * Attaches the boundary vertices of both caps to the rings and splits both triangulations at the
  * union of all of them. Chords are split as well (see refineSurface()).
  *
- * @param first, second  caps with consistently oriented triangles and as many loops as pairs.
+ * @param first, second  with as many loops as pairs.
  * @param matchTolerance relative to the local edge length, see ringParameters().
  * @throw InvalidInput when a ring has no loop within a quarter of the local edge length, two rings
  *        lie on one loop, or the loops of the second cap run against each other.
  */
-CapBoundaries matchCapBoundaries(const TriangleMesh& first, const TriangleMesh& second,
+CapBoundaries matchCapBoundaries(const Cap& first, const Cap& second,
   const std::vector<LoopPair>& pairs, double matchTolerance, const CapNames& names = {});
 }
 

@@ -24,7 +24,8 @@ using hexsweep::Weights;
 CommonDisks map(const TriangleMesh& first, const TriangleMesh& second,
   const std::vector<LoopPair>& pairs, Weights weights = Weights::Cotangent)
 {
-  return hexsweep::commonDiskMap(first, second, pairs, weights, 1e-6);
+  return hexsweep::commonDiskMap(
+    hexsweep::makeCap(first, "first"), hexsweep::makeCap(second, "second"), pairs, weights, 1e-6);
 }
 
 /// The two caps share their loops' nodes in the disk, and the loops are all of the boundary.
@@ -354,14 +355,16 @@ TEST(CommonDiskMap, CanBeAborted)
   const TriangleMesh first = test::curvedPlate(1, 0.25, 1.0, 1);
   const auto pairs = test::pairsOf(first.points, first.points, test::loopsOf(first));
   int calls = 0;
-  EXPECT_THROW(hexsweep::commonDiskMap(first, first, pairs, Weights::Cotangent, 1e-6,
-                 [&](double) { return ++calls < 2; }),
+  EXPECT_THROW(
+    hexsweep::commonDiskMap(hexsweep::makeCap(first, "first"), hexsweep::makeCap(first, "second"),
+      pairs, Weights::Cotangent, 1e-6, [&](double) { return ++calls < 2; }),
     hexsweep::Aborted);
   std::vector<double> seen;
-  hexsweep::commonDiskMap(first, first, pairs, Weights::Cotangent, 1e-6, [&](double fraction) {
-    seen.push_back(fraction);
-    return true;
-  });
+  hexsweep::commonDiskMap(hexsweep::makeCap(first, "first"), hexsweep::makeCap(first, "second"),
+    pairs, Weights::Cotangent, 1e-6, [&](double fraction) {
+      seen.push_back(fraction);
+      return true;
+    });
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_EQ(seen.back(), 1.0);
 }

@@ -181,8 +181,8 @@ TEST_P(NitscheBound, IsReportedAndDoesNotBindTheCommonDomain)
   {
     const Ring target = evenRing(part * this->bound, around, 2.0);
     const std::vector<LoopPair> pairs = pairsOf(source, target, around * this->degrees / 360);
-    const PaperDisks pinned =
-      paperDiskMap(source.mesh, target.mesh, pairs, Weights::Cotangent, 1e-6);
+    const PaperDisks pinned = paperDiskMap(hexsweep::makeCap(source.mesh, "source"),
+      hexsweep::makeCap(target.mesh, "target"), pairs, Weights::Cotangent, 1e-6);
     EXPECT_EQ(pinned.disks.first.flipped.empty(), part < 1.0) << part;
     EXPECT_TRUE(pinned.disks.second.flipped.empty());
     ASSERT_TRUE(pinned.nitsche);
@@ -190,8 +190,8 @@ TEST_P(NitscheBound, IsReportedAndDoesNotBindTheCommonDomain)
     EXPECT_NEAR(pinned.nitsche->sourceRadius, this->radius, 1e-3 * this->radius);
     EXPECT_NEAR(std::abs(pinned.nitsche->turn), this->degrees * Pi / 180.0, 1e-9);
 
-    const CommonDisks common =
-      commonDiskMap(source.mesh, target.mesh, pairs, Weights::Cotangent, 1e-6);
+    const CommonDisks common = commonDiskMap(hexsweep::makeCap(source.mesh, "source"),
+      hexsweep::makeCap(target.mesh, "target"), pairs, Weights::Cotangent, 1e-6);
     EXPECT_TRUE(common.first.flipped.empty());
     EXPECT_TRUE(common.second.flipped.empty());
   }
@@ -205,7 +205,8 @@ TEST(PaperHarmonic, FoldsBeyondAQuarterTurnHoweverSmallTheHole)
   const Ring source = evenRing(0.2, 72);
   const Ring target = evenRing(0.05, 72);
   const PaperDisks pinned =
-    paperDiskMap(source.mesh, target.mesh, pairsOf(source, target, 20), Weights::Cotangent, 1e-6);
+    paperDiskMap(hexsweep::makeCap(source.mesh, "source"), hexsweep::makeCap(target.mesh, "target"),
+      pairsOf(source, target, 20), Weights::Cotangent, 1e-6);
   EXPECT_FALSE(pinned.disks.first.flipped.empty());
   EXPECT_LT(pinned.nitsche->ratio(), 0.0);
 }
@@ -220,8 +221,9 @@ TEST(PaperHarmonic, IsTheKnownMapOfAnAnnulus)
   {
     const Ring source = evenRing(r, around);
     const Ring target = evenRing(rho, around);
-    const PaperDisks pinned = paperDiskMap(
-      source.mesh, target.mesh, pairsOf(source, target, around / 12), Weights::Cotangent, 1e-6);
+    const PaperDisks pinned = paperDiskMap(hexsweep::makeCap(source.mesh, "source"),
+      hexsweep::makeCap(target.mesh, "target"), pairsOf(source, target, around / 12),
+      Weights::Cotangent, 1e-6);
     const std::complex<double> inner = std::polar(rho, Pi / 6.0);
     const std::complex<double> a = (1.0 - r * inner) / (1.0 - r * r);
     const std::complex<double> b = 1.0 - a;
@@ -249,8 +251,9 @@ TEST(PaperHarmonic, PutsTheOuterLoopWhereTheTargetHasIt)
   TriangleMesh target = test::plate(12, {}, 0.2, 1);
   target.points.col(0) *= 3.0;
   const std::vector<Loop> loops = test::loopsOf(source);
-  const PaperDisks pinned = paperDiskMap(
-    source, target, test::pairsOf(source.points, target.points, loops), Weights::Cotangent, 1e-6);
+  const PaperDisks pinned =
+    paperDiskMap(hexsweep::makeCap(source, "source"), hexsweep::makeCap(target, "target"),
+      test::pairsOf(source.points, target.points, loops), Weights::Cotangent, 1e-6);
   EXPECT_FALSE(pinned.nitsche);
   EXPECT_EQ(pinned.disks.first.domain, DiskDomain::Disk);
   EXPECT_TRUE(pinned.disks.first.flipped.empty());
@@ -276,8 +279,9 @@ TEST(PaperHarmonic, PutsHolesOnTheCirclesOfTheTarget)
   TriangleMesh target = source;
   target.points = test::lifted(target.points, test::bump);
   const std::vector<Loop> loops = test::loopsOf(source);
-  const PaperDisks pinned = paperDiskMap(
-    source, target, test::pairsOf(source.points, target.points, loops), Weights::Cotangent, 1e-6);
+  const PaperDisks pinned =
+    paperDiskMap(hexsweep::makeCap(source, "source"), hexsweep::makeCap(target, "target"),
+      test::pairsOf(source.points, target.points, loops), Weights::Cotangent, 1e-6);
   EXPECT_FALSE(pinned.nitsche);
   EXPECT_EQ(pinned.disks.first.domain, DiskDomain::Circles);
   ASSERT_EQ(pinned.disks.second.holes.size(), 3u);

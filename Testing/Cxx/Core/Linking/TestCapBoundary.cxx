@@ -16,6 +16,7 @@ using hexsweep::Index;
 using hexsweep::LinkedLoops;
 using hexsweep::Loop;
 using hexsweep::LoopPair;
+using hexsweep::makeCap;
 using hexsweep::Points;
 using hexsweep::TriangleMesh;
 
@@ -141,8 +142,8 @@ TEST(CapBoundary, SameBoundaryNodesNeedNoRefinement)
   const TriangleMesh first = test::plate(12, test::threeHoles(), 0.3, 1);
   const TriangleMesh second = moved(test::plate(12, test::threeHoles(), 0.3, 2), 2.0);
   const auto loops = test::loopsOf(first);
-  const CapBoundaries caps = hexsweep::matchCapBoundaries(
-    first, second, test::pairsOf(first.points, second.points, loops), 1e-6);
+  const CapBoundaries caps = hexsweep::matchCapBoundaries(makeCap(first, "first"),
+    makeCap(second, "second"), test::pairsOf(first.points, second.points, loops), 1e-6);
   EXPECT_EQ(caps.first.loops, loops);
   EXPECT_EQ(caps.second.loops, loops);
   EXPECT_EQ(caps.first.maximumDistance, 0.0);
@@ -159,7 +160,8 @@ TEST(CapBoundary, UnionOfMismatchedCircles)
   // Rings of 24 and 12 nodes; boundary polygons of other counts, with chords between.
   const TriangleMesh first = test::annulus(0.4, 1.0, 4, 36);
   const TriangleMesh second = moved(test::annulus(0.4, 1.0, 3, 25), 2.0);
-  const CapBoundaries caps = hexsweep::matchCapBoundaries(first, second, circlePairs(24, 12), 1e-6);
+  const CapBoundaries caps = hexsweep::matchCapBoundaries(
+    makeCap(first, "first"), makeCap(second, "second"), circlePairs(24, 12), 1e-6);
   for (const CapBoundary* cap : { &caps.first, &caps.second })
   {
     expectLoopsAreTheBoundary(*cap);
@@ -199,13 +201,14 @@ TEST(CapBoundary, CapsOfAnyOrientation)
       TriangleMesh b = second;
       a.triangles = turnFirst ? test::turnedOver(first.triangles) : first.triangles;
       b.triangles = turnSecond ? test::turnedOver(second.triangles) : second.triangles;
-      const CapBoundaries caps = hexsweep::matchCapBoundaries(a, b, circlePairs(24, 12), 1e-6);
+      const CapBoundaries caps = hexsweep::matchCapBoundaries(
+        makeCap(a, "first"), makeCap(b, "second"), circlePairs(24, 12), 1e-6);
       // Loops run as the faces do, and the rings say which side is up.
       expectLoopsAreTheBoundary(caps.first);
       expectLoopsAreTheBoundary(caps.second);
       EXPECT_EQ(caps.pairs[0].first, circlePairs(24, 12)[0].first);
-      const CapBoundaries plain =
-        hexsweep::matchCapBoundaries(first, second, circlePairs(24, 12), 1e-6);
+      const CapBoundaries plain = hexsweep::matchCapBoundaries(
+        makeCap(first, "first"), makeCap(second, "second"), circlePairs(24, 12), 1e-6);
       for (const auto& [one, other] :
         { std::make_pair(&caps.first, &plain.first), std::make_pair(&caps.second, &plain.second) })
       {
@@ -224,7 +227,8 @@ TEST(CapBoundary, ChordsAreSplit)
   const Loop loop = test::loopsOf(first)[0];
   pair = test::pairsOf(first.points, first.points, { loop })[0];
   pair.second.col(2).array() += 1.0;
-  const CapBoundaries caps = hexsweep::matchCapBoundaries(first, second, { pair }, 1e-6);
+  const CapBoundaries caps = hexsweep::matchCapBoundaries(
+    makeCap(first, "first"), makeCap(second, "second"), { pair }, 1e-6);
   EXPECT_EQ(caps.united[0].size(), 12u);
   std::vector<bool> boundary(static_cast<std::size_t>(caps.first.mesh.points.rows()), false);
   for (const Index v : caps.first.loops[0])
@@ -254,7 +258,7 @@ TEST(CapBoundary, LoopsThatDoNotBelong)
   const TriangleMesh first = test::annulus(0.4, 1.0, 4, 36);
   const TriangleMesh second = moved(test::annulus(0.4, 1.0, 3, 25), 2.0);
   const auto match = [&](const std::vector<LoopPair>& pairs) {
-    hexsweep::matchCapBoundaries(first, second, pairs, 1e-6);
+    hexsweep::matchCapBoundaries(makeCap(first, "first"), makeCap(second, "second"), pairs, 1e-6);
   };
   std::vector<LoopPair> pairs = circlePairs(24, 12);
   test::expectInvalid(
@@ -288,10 +292,17 @@ TEST(CapBoundary, MessagesUseTheNamesThatTheUserKnows)
   const hexsweep::CapNames names{ "source surface", "target surface", "source quads" };
   std::vector<LoopPair> pairs = circlePairs(24, 12);
   test::expectInvalid(
-    [&] { hexsweep::matchCapBoundaries(first, second, { pairs[0] }, 1e-6, names); },
+    [&] {
+      hexsweep::matchCapBoundaries(
+        makeCap(first, "first"), makeCap(second, "second"), { pairs[0] }, 1e-6, names);
+    },
     "the source surface has 2 boundary loop(s), but the source quads have 1");
   pairs[1].second.col(0).array() += 0.2;
-  test::expectInvalid([&] { hexsweep::matchCapBoundaries(first, second, pairs, 1e-6, names); },
+  test::expectInvalid(
+    [&] {
+      hexsweep::matchCapBoundaries(
+        makeCap(first, "first"), makeCap(second, "second"), pairs, 1e-6, names);
+    },
     "a loop of the source quads does not lie on the boundary of the target surface");
 }
 

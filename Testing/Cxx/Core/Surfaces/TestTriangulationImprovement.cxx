@@ -197,7 +197,8 @@ TEST(TriangulationImprovement, NoFlipsAreLeftInCommonMaps)
   {
     const TriangleMesh first = test::stretchedPlate(holes, true);
     const TriangleMesh second = test::stretchedPlate(holes, false);
-    const hexsweep::CommonDisks disks = hexsweep::commonDiskMap(first, second,
+    const hexsweep::CommonDisks disks = hexsweep::commonDiskMap(hexsweep::makeCap(first, "first"),
+      hexsweep::makeCap(second, "second"),
       test::pairsOf(first.points, second.points, test::loopsOf(first)), Weights::Cotangent, 1e-6,
       {}, {}, TriangulationImprovement::Automatic);
     expectGood(disks.first, first, std::to_string(holes) + " holes, first");

@@ -176,6 +176,9 @@ constexpr const char* CornerConflicts = "SweepReportCornerConflicts";
 
 // Solids (vtkOneToOneSweep, vtkSweepCandidates).
 
+/// Ids, one a body: in the order of the other reports, which have the values of one body after
+/// those of the other. Only where there are several.
+constexpr const char* VolumeIds = "SweepReportVolumeIds";
 /// Text: SourceQuads, Solid or made.
 constexpr const char* SourceQuads = "SweepReportSourceQuads";
 /// Text: how the quads came to the target cap.

@@ -40,7 +40,7 @@ enum BoundaryPart : unsigned char
 }
 
 void writeBoundary(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology,
-  bool sourceIsBottom, vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* output)
+  bool sourceIsBottom, bool turnsOver, vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* output)
 {
   const std::vector<BoundaryQuad> boundary = boundaryQuads(cage, solid, topology);
   const Index count = static_cast<Index>(boundary.size());
@@ -73,7 +73,7 @@ void writeBoundary(const SolidCage& cage, const SolidSurface& solid, const Sweep
         id = points->InsertNextPoint(hexes->GetPoint(quad.points[c]));
         hexPointIds->InsertNextValue(quad.points[c]);
       }
-      quads(q, static_cast<Index>(c)) = id;
+      quads(q, static_cast<Index>(turnsOver ? (4 - c) % 4 : c)) = id;
     }
     faceIds->SetValue(q, solid.faceIds[static_cast<std::size_t>(quad.triangle)]);
     parts->SetValue(q, quad.face == 4 ? Source : quad.face == 5 ? Target : Side);

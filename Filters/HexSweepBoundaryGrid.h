@@ -17,10 +17,11 @@ namespace hexsweep
  * (see vtkOneToOneSweep).
  *
  * @param hexes the grid of hexahedra, whose points are taken.
- * @param sourceIsBottom see sweptHexes().
+ * @param sourceIsBottom see HexOutput.
+ * @param turnsOver      whether the hexahedra are a mirror image of the cage.
  */
 void writeBoundary(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology,
-  bool sourceIsBottom, vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* output);
+  bool sourceIsBottom, bool turnsOver, vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* output);
 }
 
 #endif

@@ -90,7 +90,7 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
     cage, interiorStarts(method, cage.isRuled), options, progressPart(progress, 0.0, 0.9));
   stages.finish(stagesOf(interior.steps));
   const Index layers = cage.boundary.numberOfLayers();
-  const vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,
+  vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,
     cage.source.rows(), layers, interior.sourceIsBottom, progressPart(progress, 0.9, 0.91));
   const auto hexes = hexView(connectivity);
   const std::vector<HexQuality> qualities = !interior.qualities.empty()
@@ -129,8 +129,14 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
     result.warnings.push_back(describeUndecided(judged, advice()));
   }
 
-  fillGrid(interior.points, connectivity, layers, source, settings.precision,
-    progressPart(progress, 0.95, 0.98), output);
+  if (settings.reflection.turnsOver())
+  {
+    result.sourceIsBottom = !result.sourceIsBottom;
+    connectivity =
+      newSweptConnectivity(cage.quads, cage.source.rows(), layers, result.sourceIsBottom, {});
+  }
+  fillGrid(reflected(std::move(interior.points), settings.reflection), connectivity, layers, source,
+    settings.precision, progressPart(progress, 0.95, 0.98), output);
   addQualities(qualities, progressPart(progress, 0.98, 1.0), output->GetCellData());
   vtkFieldData* fieldData = output->GetFieldData();
   addQualityReport(fieldData, summary);

@@ -6,6 +6,7 @@
 #ifndef HexSweepHexOutput_h
 #define HexSweepHexOutput_h
 
+#include "Core/Geometry/Reflection.h"
 #include "Core/Hexahedra/HexQuality.h"
 #include "Core/Interior/SweepInterior.h"
 #include "HexSweepInteriorReport.h"
@@ -25,7 +26,8 @@ struct HexOutputSettings
   bool improveQuality = true;
   bool certify = true;
   bool failIfInvalid = false;
-  int precision = 0; ///< a vtkAlgorithm::DesiredOutputPrecision
+  int precision = 0;     ///< a vtkAlgorithm::DesiredOutputPrecision
+  Reflection reflection; ///< of the cage, undone in the output
 };
 
 /// Where the attributes of a cage's points and quads come from.
@@ -38,12 +40,13 @@ struct SourceAttributes
 
 struct HexOutput
 {
-  bool sourceIsBottom = true;        ///< see SweepInterior
+  bool sourceIsBottom = true;        ///< see SweepInterior; of the output
   std::vector<std::string> warnings; ///< what to tell the user
 };
 
 /**
- * Fills a cage and writes points, hexahedra, their attributes, quality and report.
+ * Fills a cage and writes points, hexahedra, their attributes, quality and report. Messages have
+ * places of the cage.
  *
  * @param stages is told of every stage but the last one, the output.
  * @throw InvalidInput for a method that does not exist, and for bad hexahedra with failIfInvalid.

@@ -35,25 +35,28 @@ SourceCapQuads madeQuads(SourceQuads made)
 }
 }
 
-SourceCapQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidInput& input,
-  const SolidSurface& solid, const SweepTopology& topology, double size, const Progress& progress)
+SourceCapQuads sourceQuads(
+  const SolidToSweep& solid, const SweepTopology& topology, double size, const Progress& progress)
 {
   SourceCapQuads result;
-  if (given)
+  const SolidInput& input = solid.body.solid.input;
+  if (vtkDataSet* given = solid.sourceQuads)
   {
     QuadInput quads = readQuads(given, "source quads");
     result.mesh = std::move(quads.mesh);
+    result.mesh.points = reflected(std::move(result.mesh.points), solid.body.solid.reflection);
     result.attributes = { given, upTo(given->GetNumberOfPoints()), std::move(quads.cellIds) };
     result.origin = "SourceQuads";
     return result;
   }
-  if (std::optional<FaceQuads> quads = quadsOfFaces(input, solid, topology.sourceFaceIds))
+  if (std::optional<FaceQuads> quads =
+        quadsOfFaces(input, solid.body.surface, topology.sourceFaceIds))
   {
     result.mesh = std::move(quads->mesh);
-    result.attributes = { solidData, std::move(quads->pointIds), std::move(quads->cellIds) };
+    result.attributes = { solid.data, std::move(quads->pointIds), std::move(quads->cellIds) };
     result.origin = "Solid";
     return result;
   }
-  return madeQuads(makeSourceQuads(input, solid, topology, size, progress));
+  return madeQuads(makeSourceQuads(input, solid.body.surface, topology, size, progress));
 }
 }

@@ -6,14 +6,12 @@
 #ifndef HexSweepSolidQuads_h
 #define HexSweepSolidQuads_h
 
-#include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepTopology.h"
 #include "HexSweepHexOutput.h"
+#include "HexSweepSolidSweep.h"
 
 #include <string>
 #include <vector>
-
-class vtkDataSet;
 
 namespace hexsweep
 {
@@ -29,12 +27,11 @@ struct SourceCapQuads
 /**
  * The quads of the input, else those that the solid has on its source faces, else new ones.
  *
- * @param given nullptr: no such input.
- * @param size  of new quads; 0: see defaultQuadSize().
+ * @param size of new quads; 0: see defaultQuadSize().
  * @throw InvalidInput when the input is no quad mesh, or for a size out of range.
  */
-SourceCapQuads sourceQuads(vtkDataSet* given, vtkDataSet* solidData, const SolidInput& input,
-  const SolidSurface& solid, const SweepTopology& topology, double size, const Progress& progress);
+SourceCapQuads sourceQuads(
+  const SolidToSweep& solid, const SweepTopology& topology, double size, const Progress& progress);
 }
 
 #endif

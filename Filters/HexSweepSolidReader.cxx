@@ -112,10 +112,12 @@ vtkAbstractArray* findFaceIds(vtkDataSet* data, const std::string& asked)
   return nullptr;
 }
 
-std::vector<Index> readFaceIds(
-  vtkDataSet* data, vtkAbstractArray* array, const std::vector<Index>& cells)
+/// @param what "face" or "volume".
+std::vector<Index> readCellIds(vtkDataSet* data, vtkAbstractArray* array, const std::string& what,
+  const std::vector<Index>& cells)
 {
-  const std::string start = "the solid: the face ids \"" + std::string(array->GetName()) + "\" ";
+  const std::string start =
+    "the solid: the " + what + " ids \"" + std::string(array->GetName()) + "\" ";
   if (array->GetNumberOfTuples() != data->GetNumberOfCells())
   {
     throw InvalidInput(start + "have " + std::to_string(array->GetNumberOfTuples()) +
@@ -128,7 +130,7 @@ std::vector<Index> readFaceIds(
     throw InvalidInput(start +
       (numbers ? "have " + std::to_string(array->GetNumberOfComponents()) + " components"
                : std::string("are no numbers")) +
-      ". A face id is one whole number a cell.");
+      ". A " + what + " id is one whole number a cell.");
   }
   const bool real = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
   constexpr double Largest = 9007199254740992.0; // 2^53: whole numbers up to here are exact
@@ -140,7 +142,7 @@ std::vector<Index> readFaceIds(
     if (real && !(std::abs(value) <= Largest && std::floor(value) == value))
     {
       throw InvalidInput(start + "are real numbers that are not whole: " + describe(value) +
-        " in cell " + std::to_string(cell) + ". Choose the array that numbers the faces.");
+        " in cell " + std::to_string(cell) + ". Choose the array that numbers the " + what + "s.");
     }
     ids.push_back(std::abs(value) < Largest
         ? static_cast<Index>(value)
@@ -163,8 +165,13 @@ SolidData readSolid(vtkDataSet* data, const std::string& faceIdArray)
   vtkAbstractArray* ids = findFaceIds(data, faceIdArray);
   if (ids && !solid.fromVolume)
   {
-    solid.surface.faceIds = readFaceIds(data, ids, solid.surface.cellIds);
+    solid.surface.faceIds = readCellIds(data, ids, "face", solid.surface.cellIds);
     solid.faceIdArray = ids->GetName();
+  }
+  vtkAbstractArray* volumes = data->GetCellData()->GetAbstractArray(arrays::VolumeId);
+  if (volumes && !solid.fromVolume)
+  {
+    solid.volumeIds = readCellIds(data, volumes, "volume", solid.surface.cellIds);
   }
   return solid;
 }

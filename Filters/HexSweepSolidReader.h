@@ -18,6 +18,9 @@ namespace hexsweep
 struct SolidData
 {
   SolidInput surface;
+  /// Body that each triangle is part of, of the cell array `VolumeId`; empty: there is none, or
+  /// the boundary was made from volume cells.
+  std::vector<Index> volumeIds;
   std::string faceIdArray;   ///< name of the cell array that was read; empty: none
   bool fromVolume = false;   ///< whether the boundary was made from volume cells
   Index ignoredCells = 0;    ///< vertex and line cells

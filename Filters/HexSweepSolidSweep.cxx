@@ -59,12 +59,9 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
       ". Set Size to a positive length, or to 0 for one that fits the solid.");
   }
   const double wanted = settings.quadSize != 0.0 ? settings.quadSize : settings.size;
-  const auto quadsOf = [&](double size) {
-    return sourceQuads(
-      solid.sourceQuads, solid.data, solid.input, solid.solid, topology, size, progress);
-  };
+  const auto quadsOf = [&](double size) { return sourceQuads(solid, topology, size, progress); };
   SizedQuads result{ quadsOf(wanted), settings.layers, settings.size, 0.0 };
-  double width = meanHexWidth(solid.solid, topology, result.quads.mesh);
+  double width = meanHexWidth(solid.body.surface, topology, result.quads.mesh);
   result.size = settings.size > 0.0 ? settings.size : width;
   const bool isFree =
     settings.layers.layers == 0 && settings.layers.size == 0.0 && settings.layers.positions.empty();
@@ -77,7 +74,7 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
     // The mesher of the cap does not hit a size exactly.
     constexpr int Trials = 4;
     constexpr double Slack = 1.02;
-    const double length = sideLength(solid.solid, topology);
+    const double length = sideLength(solid.body.surface, topology);
     for (int trial = 0; trial < Trials; ++trial)
     {
       const double factor = coarseningFor(length, result.quads.mesh.quads.rows(), width);
@@ -91,7 +88,7 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
         break;
       }
       result.quads = quadsOf(Slack * factor * result.quads.size);
-      width = meanHexWidth(solid.solid, topology, result.quads.mesh);
+      width = meanHexWidth(solid.body.surface, topology, result.quads.mesh);
     }
     const Index quads = result.quads.mesh.quads.rows();
     result.layers.mostLayers = std::max<Index>(1, MostChosenHexes / quads);
@@ -155,10 +152,11 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
 {
   SizedQuads sized = sizedQuads(solid, topology, settings, progressPart(progress, 0.0, 0.1));
   stages.finish("Source quads");
-  SolidCageInput cageInput{ solid.solid, topology, std::move(sized.quads.mesh),
-    sidePatches(solid.input, solid.solid, topology), sized.layers, settings.matchTolerance,
-    settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION, settings.hexes.ensureValid,
-    settings.hexes.improveQuality, settings.projection, settings.weights, settings.improvement };
+  SolidCageInput cageInput{ solid.body.surface, topology, std::move(sized.quads.mesh),
+    sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
+    settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
+    settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
+    settings.weights, settings.improvement };
   const SolidCage cage = makeSolidCage(cageInput, progressPart(progress, 0.1, 0.48));
   stages.finish(cage.stages);
   if (!settings.targetIsNamed)
@@ -168,11 +166,22 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
 
   hexes->GetFieldData()->PassData(solid.data->GetFieldData());
   boundary->GetFieldData()->PassData(solid.data->GetFieldData());
-  const HexOutput output = writeHexes(cage, sized.quads.attributes, settings.hexes, stages,
-    progressPart(progress, 0.48, 0.97), hexes);
-  writeBoundary(cage, solid.solid, topology, output.sourceIsBottom, hexes, boundary);
-  carryVolumeId(solid.data, hexes);
-  addReports(cage, solid.solid, topology, sized.quads.origin, hexes->GetFieldData());
+  HexOutputSettings hexSettings = settings.hexes;
+  hexSettings.reflection = solid.body.solid.reflection;
+  const HexOutput output = writeHexes(
+    cage, sized.quads.attributes, hexSettings, stages, progressPart(progress, 0.48, 0.97), hexes);
+  writeBoundary(cage, solid.body.surface, topology, output.sourceIsBottom,
+    hexSettings.reflection.turnsOver(), hexes, boundary);
+  if (solid.body.name.empty())
+  {
+    carryVolumeId(solid.data, hexes);
+  }
+  else
+  {
+    setVolumeId(solid.body.volumeId, hexes);
+    setVolumeId(solid.body.volumeId, boundary);
+  }
+  addReports(cage, solid.body.surface, topology, sized.quads.origin, hexes->GetFieldData());
   addReport(hexes->GetFieldData(), reports::Size, sized.size);
   addReport(hexes->GetFieldData(), reports::Projection, nameOf(settings.projection));
   if (cage.projection.target)
@@ -187,7 +196,8 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
   result.warnings = warningsOf(sized, cage);
   if (!result.valid)
   {
-    const std::vector<std::string> more = advice(solid.solid, topology, settings.targetIsNamed);
+    const std::vector<std::string> more =
+      advice(solid.body.surface, topology, settings.targetIsNamed);
     result.warnings.insert(result.warnings.end(), output.warnings.begin(), output.warnings.end());
     result.warnings.insert(result.warnings.end(), more.begin(), more.end());
   }

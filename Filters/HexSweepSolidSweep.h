@@ -11,6 +11,7 @@
 #include "Core/Linking/LinkingSides.h"
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepTopology.h"
+#include "HexSweepBodies.h"
 #include "HexSweepHexOutput.h"
 
 #include <string>
@@ -21,13 +22,12 @@ class vtkUnstructuredGrid;
 
 namespace hexsweep
 {
-/// The solid as it was given, and as it was read.
+/// A body as it was given, and as it was read.
 struct SolidToSweep
 {
   vtkDataSet* data;
   vtkDataSet* sourceQuads; ///< nullptr: none are given
-  const SolidInput& input;
-  const SolidSurface& solid;
+  const ReadBody& body;
 };
 
 struct SolidSweepSettings
@@ -47,11 +47,12 @@ struct SolidSweepSettings
 struct SolidSweepResult
 {
   bool valid = false;                ///< no hexahedron is inverted, or not certified
-  std::vector<std::string> warnings; ///< what to tell the user
+  std::vector<std::string> warnings; ///< what to tell the user, see messageAbout()
 };
 
 /**
- * Meshes a solid between two caps. Field data of the solid and the report come with the grids.
+ * Meshes a body between two caps. Field data of the solid and the report come with the grids, which
+ * lie where the body was given; messages lie where it was put.
  *
  * @param stages is told of every stage.
  * @throw InvalidInput as makeSolidCage(), checkFoundTarget() and writeHexes(), and for sizes out of

@@ -54,11 +54,16 @@ void carryVolumeId(vtkDataSet* solid, vtkUnstructuredGrid* hexes)
   id = id ? id : commonValue(solid, arrays::VolumeId, 2);
   if (id)
   {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(arrays::VolumeId);
-    ids->SetNumberOfValues(hexes->GetNumberOfCells());
-    ids->FillValue(static_cast<vtkIdType>(*id));
-    hexes->GetCellData()->AddArray(ids);
+    setVolumeId(static_cast<Index>(*id), hexes);
   }
+}
+
+void setVolumeId(Index id, vtkUnstructuredGrid* cells)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(arrays::VolumeId);
+  ids->SetNumberOfValues(cells->GetNumberOfCells());
+  ids->FillValue(id);
+  cells->GetCellData()->AddArray(ids);
 }
 }

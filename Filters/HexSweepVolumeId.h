@@ -6,6 +6,8 @@
 #ifndef HexSweepVolumeId_h
 #define HexSweepVolumeId_h
 
+#include "Core/Common/Mesh.h"
+
 class vtkDataSet;
 class vtkUnstructuredGrid;
 
@@ -16,6 +18,9 @@ namespace hexsweep
  * `VolumeId`, or, for volume cells, in `CellEntityIds`.
  */
 void carryVolumeId(vtkDataSet* solid, vtkUnstructuredGrid* hexes);
+
+/// Gives all cells the cell array `VolumeId`.
+void setVolumeId(Index id, vtkUnstructuredGrid* cells);
 }
 
 #endif

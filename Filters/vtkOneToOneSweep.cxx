@@ -1,107 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOneToOneSweep.h"
 
-#include "Core/Common/Constants.h"
-#include "Core/Common/Describe.h"
-#include "Core/Solids/SolidInput.h"
-#include "Core/Solids/SweepChoice.h"
-#include "HexSweepArrays.h"
+#include "HexSweepBodySweep.h"
 #include "HexSweepChoices.h"
+#include "HexSweepInteriorReport.h"
 #include "HexSweepLayers.h"
 #include "HexSweepLists.h"
-#include "HexSweepReader.h"
 #include "HexSweepRun.h"
-#include "HexSweepSolidReader.h"
-#include "HexSweepSolidSweep.h"
-#include "HexSweepWriter.h"
 
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkOneToOneSweep);
 
-namespace
-{
 using namespace hexsweep;
-
-using Sweep = std::function<SolidSweepResult(
-  const SweepTopology& topology, vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)>;
-
-double badHexes(vtkUnstructuredGrid* hexes)
-{
-  return hexes->GetFieldData()->GetArray(reports::NotCertified)->GetTuple1(0);
-}
-
-/**
- * Tries one sweep after the other until one gives a valid mesh; else the one with the fewest bad
- * hexahedra is taken.
- *
- * @return what to tell the user.
- * @throw InvalidInput when none gives a mesh.
- */
-std::vector<std::string> bestOfSweeps(const SweepChoice& choice, const Sweep& sweep,
-  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
-{
-  std::vector<std::string> warnings;
-  std::string failed;
-  bool found = false;
-  for (const SweepTopology& topology : choice.sweeps)
-  {
-    const std::string way = describeWay(topology.sourceFaceIds, topology.targetFaceIds);
-    vtkNew<vtkUnstructuredGrid> newHexes;
-    vtkNew<vtkUnstructuredGrid> newBoundary;
-    try
-    {
-      const SolidSweepResult result = sweep(topology, newHexes, newBoundary);
-      if (result.valid || !found || badHexes(newHexes) < badHexes(hexes))
-      {
-        hexes->ShallowCopy(newHexes);
-        boundary->ShallowCopy(newBoundary);
-        warnings = result.warnings;
-        if (!failed.empty())
-        {
-          warnings.insert(warnings.begin(),
-            "no source face is named, and this is the sweep " + way +
-              ", since others that looked better did not work:" + failed +
-              " Name SourceFaceIds if another sweep is meant.");
-        }
-        found = true;
-      }
-      if (result.valid)
-      {
-        return warnings;
-      }
-      failed +=
-        " " + way + " has " + describe(badHexes(newHexes)) + " hexahedra that are not certified.";
-    }
-    catch (const InvalidInput& error)
-    {
-      failed += " " + way + ": " + error.what();
-    }
-    catch (const SolverFailure& error)
-    {
-      failed += " " + way + ": " + error.what();
-    }
-  }
-  if (!found)
-  {
-    throw InvalidInput("no source face is named, and of the sweeps that look best none works:" +
-      failed + " Name SourceFaceIds and TargetFaceIds if another sweep is meant.");
-  }
-  return warnings;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkOneToOneSweep::vtkOneToOneSweep()
@@ -157,6 +77,24 @@ vtkIdType vtkOneToOneSweep::GetTargetFaceId(int i) const
 }
 
 //------------------------------------------------------------------------------
+void vtkOneToOneSweep::AddVolumeId(vtkIdType id)
+{
+  addToList(this, this->VolumeIds, id);
+}
+
+//------------------------------------------------------------------------------
+void vtkOneToOneSweep::RemoveAllVolumeIds()
+{
+  clearList(this, this->VolumeIds);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkOneToOneSweep::GetVolumeId(int i) const
+{
+  return this->VolumeIds.at(static_cast<std::size_t>(i));
+}
+
+//------------------------------------------------------------------------------
 int vtkOneToOneSweep::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -181,7 +119,6 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   }
   checkInteriorMethod(this->Method);
   checkPrecision(this->OutputPointsPrecision);
-  checkFeatureAngle(this->FeatureAngle);
   SolidSweepSettings settings;
   settings.size = this->Size;
   settings.quadSize = this->QuadSize;
@@ -191,47 +128,26 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   settings.weights = chosenWeights(this->Weights);
   settings.improvement = chosenImprovement(this->ImproveTriangulation);
   settings.targetIsNamed = !this->TargetFaceIds.empty();
-  settings.hexes = { this->Method, this->EnsureValid, this->ImproveQuality, this->Certify,
-    this->FailIfInvalid, this->OutputPointsPrecision };
+  settings.hexes.method = this->Method;
+  settings.hexes.ensureValid = this->EnsureValid;
+  settings.hexes.improveQuality = this->ImproveQuality;
+  settings.hexes.certify = this->Certify;
+  settings.hexes.failIfInvalid = this->FailIfInvalid;
+  settings.hexes.precision = this->OutputPointsPrecision;
   StageClock clock;
-  vtkDataSet* solidData = inputDataSet(inputs, 0);
-  const SolidInput input = readSolid(solidData, chosenArray(this)).surface;
+  vtkDataSet* solid = inputDataSet(inputs, 0);
+  const std::vector<ReadBody> bodies =
+    readBodies(solid, chosenArray(this), solidOptions(this->MatchTolerance, this->FeatureAngle),
+      { this->VolumeIds.begin(), this->VolumeIds.end() });
   clock.finish("Read");
   reportProgress(pipelineProgress(this), 0.02);
 
-  SolidOptions options;
-  options.matchTolerance = this->MatchTolerance;
-  options.featureAngle = this->FeatureAngle * Pi / 180.0;
-  const SolidSurface solid = makeSolidSurface(input, options);
-  std::vector<Index> sourceIds(this->SourceFaceIds.begin(), this->SourceFaceIds.end());
-  const std::optional<QuadMesh> quads = readOptionalQuads(inputDataSet(inputs, 1), "source quads");
-  if (quads && sourceIds.empty())
-  {
-    sourceIds = facesUnder(solid, *quads);
-  }
-  const SweepChoice choice =
-    chooseSweeps(solid, sourceIds, { this->TargetFaceIds.begin(), this->TargetFaceIds.end() });
-  clock.finish("Topology");
-  reportProgress(pipelineProgress(this), 0.05);
-
-  const SolidToSweep toSweep{ solidData, inputDataSet(inputs, 1), input, solid };
   auto* hexes = vtkUnstructuredGrid::GetData(outputs, 0);
-  auto* boundary = vtkUnstructuredGrid::GetData(outputs, 1);
-  const auto sweep = [&](const SweepTopology& topology, vtkUnstructuredGrid* hexGrid,
-                       vtkUnstructuredGrid* boundaryGrid) {
-    return sweepSolid(
-      toSweep, topology, settings, clock, pipelineProgress(this, 0.05, 1.0), hexGrid, boundaryGrid);
-  };
-  std::vector<std::string> warnings;
-  if (sourceIds.empty() && this->TargetFaceIds.empty())
-  {
-    warnings = bestOfSweeps(choice, sweep, hexes, boundary);
-  }
-  else
-  {
-    warnings = sweep(choice.sweeps.front(), hexes, boundary).warnings;
-  }
-  addReport(hexes->GetFieldData(), reports::Candidates, describeRanking(choice.ranking));
+  const NamedCaps named{ { this->SourceFaceIds.begin(), this->SourceFaceIds.end() },
+    { this->TargetFaceIds.begin(), this->TargetFaceIds.end() } };
+  const std::vector<std::string> warnings =
+    sweepBodies({ solid, inputDataSet(inputs, 1), bodies }, named, settings, clock,
+      pipelineProgress(this, 0.02, 1.0), hexes, vtkUnstructuredGrid::GetData(outputs, 1));
   addStageReport(hexes->GetFieldData(), clock);
   for (const std::string& warning : warnings)
   {
@@ -248,6 +164,7 @@ void vtkOneToOneSweep::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   printList(os, indent, "SourceFaceIds", this->SourceFaceIds);
   printList(os, indent, "TargetFaceIds", this->TargetFaceIds);
+  printList(os, indent, "VolumeIds", this->VolumeIds);
   os << indent << "Size: " << this->Size << "\n";
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";

@@ -17,6 +17,14 @@
  * - port 1 `SourceQuads`, optional: quads on the source face. Without it: quad cells on the source
  *   face of the solid, where it is meshed with these; otherwise quads are made, see SetSize().
  *
+ * A solid of several bodies is swept body by body: those with one `VolumeId` (a cell array of
+ * surface cells), without it pieces that are not connected, numbered from 1 on. Their meshes come
+ * after each other, with `VolumeId`s on hexahedra and boundary; they need not fit together. A face
+ * that is named counts for the bodies that have it; where none is named, a body's sweep is found.
+ *
+ * The mesh depends on the solid's shape alone: the same solid numbered in another way, turned
+ * inside out or reflected in a coordinate plane gives the same mesh, reflected.
+ *
  * Faces on the sides that are meshed with structured quads from source to target keep their nodes,
  * so that neighbouring volumes fit together.
  *
@@ -32,9 +40,9 @@
  * Field data of both outputs: those of the solid; on output 0 the reports of the other filters'
  * (`SweepReport*`) as well: stages with their seconds, `SweepReportSourceFaceIds`,
  * `SweepReportTargetFaceIds`, `SweepReportCandidates` (the ways to sweep the solid, best first, in
- * words), `SweepReportSize`,
- * `SweepReportKeptEdges` (CAD edges that are columns), `SweepReportLostEdges`, quality of the
- * source quads that were made, ...
+ * words), `SweepReportSize`, `SweepReportVolumeIds` (of several bodies, in the order of whose
+ * values the other reports are), `SweepReportKeptEdges` (CAD edges that are columns),
+ * `SweepReportLostEdges`, quality of the source quads that were made, ...
  *
  * A solid that cannot be swept raises one error that says which face or loop is in the way; both
  * outputs are then empty.
@@ -85,6 +93,15 @@ public:
   void RemoveAllTargetFaceIds();
   int GetNumberOfTargetFaceIds() const { return static_cast<int>(this->TargetFaceIds.size()); }
   vtkIdType GetTargetFaceId(int i) const;
+  ///@}
+
+  ///@{
+  /// Ids of the volumes to sweep, where the solid consists of several bodies, see `VolumeId` above.
+  /// None (the default): all.
+  void AddVolumeId(vtkIdType id);
+  void RemoveAllVolumeIds();
+  int GetNumberOfVolumeIds() const { return static_cast<int>(this->VolumeIds.size()); }
+  vtkIdType GetVolumeId(int i) const;
   ///@}
 
   ///@{
@@ -212,6 +229,7 @@ private:
 
   std::vector<vtkIdType> SourceFaceIds;
   std::vector<vtkIdType> TargetFaceIds;
+  std::vector<vtkIdType> VolumeIds;
   double Size = 0.0;
   double QuadSize = 0.0;
   double FeatureAngle = 30.0;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSolidFaces.h"
 
-#include "Core/Common/Constants.h"
 #include "Core/Solids/FaceMeasures.h"
-#include "Core/Solids/SolidInput.h"
 #include "HexSweepArrays.h"
+#include "HexSweepBodies.h"
 #include "HexSweepRun.h"
-#include "HexSweepSolidReader.h"
 #include "HexSweepWriter.h"
 
 #include <vtkDoubleArray.h>
@@ -22,8 +20,10 @@ vtkStandardNewMacro(vtkSolidFaces);
 
 namespace
 {
-void addColumns(const std::vector<hexsweep::FaceMeasure>& faces, vtkTable* table)
+void addRows(const std::vector<hexsweep::ReadBody>& bodies, vtkTable* table)
 {
+  vtkNew<vtkIdTypeArray> volumes;
+  volumes->SetName(hexsweep::arrays::VolumeId);
   vtkNew<vtkIdTypeArray> ids;
   vtkNew<vtkIdTypeArray> triangles;
   vtkNew<vtkDoubleArray> areas;
@@ -35,19 +35,26 @@ void addColumns(const std::vector<hexsweep::FaceMeasure>& faces, vtkTable* table
   centers->SetName("Center");
   flatness->SetName("Flatness");
   centers->SetNumberOfComponents(3);
-  for (const hexsweep::FaceMeasure& face : faces)
+  for (const hexsweep::ReadBody& body : bodies)
   {
-    ids->InsertNextValue(face.id);
-    triangles->InsertNextValue(face.triangles);
-    areas->InsertNextValue(face.area);
-    centers->InsertNextTuple(face.center.data());
-    flatness->InsertNextValue(face.flatness);
+    for (const hexsweep::FaceMeasure& face : hexsweep::measureFaces(body.surface))
+    {
+      const hexsweep::Points center =
+        hexsweep::reflected(hexsweep::Points(face.center), body.solid.reflection);
+      ids->InsertNextValue(face.id);
+      triangles->InsertNextValue(face.triangles);
+      areas->InsertNextValue(face.area);
+      centers->InsertNextTuple(center.data());
+      flatness->InsertNextValue(face.flatness);
+      volumes->InsertNextValue(body.volumeId);
+    }
   }
   table->AddColumn(ids);
   table->AddColumn(triangles);
   table->AddColumn(areas);
   table->AddColumn(centers);
   table->AddColumn(flatness);
+  table->AddColumn(volumes);
 }
 }
 
@@ -67,16 +74,13 @@ int vtkSolidFaces::RequestData(
     {
       return;
     }
-    hexsweep::SolidOptions options;
-    options.matchTolerance = this->MatchTolerance;
-    options.featureAngle = this->FeatureAngle * hexsweep::Pi / 180.0;
-    const hexsweep::SolidSurface solid = hexsweep::makeSolidSurface(
-      hexsweep::readSolid(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this)).surface,
-      options);
+    const std::vector<hexsweep::ReadBody> bodies =
+      hexsweep::readBodies(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this),
+        hexsweep::solidOptions(this->MatchTolerance, this->FeatureAngle));
     vtkTable* table = vtkTable::GetData(outputs);
-    addColumns(hexsweep::measureFaces(solid), table);
+    addRows(bodies, table);
     hexsweep::addReport(table->GetFieldData(), hexsweep::reports::FacesByAngle,
-      static_cast<hexsweep::Index>(solid.facesByAngle));
+      static_cast<hexsweep::Index>(bodies.front().surface.facesByAngle));
   });
 }
 

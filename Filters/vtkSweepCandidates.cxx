@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSweepCandidates.h"
 
-#include "Core/Common/Constants.h"
-#include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepCandidates.h"
 #include "HexSweepArrays.h"
-#include "HexSweepChoices.h"
+#include "HexSweepBodies.h"
 #include "HexSweepLists.h"
 #include "HexSweepRun.h"
-#include "HexSweepSolidReader.h"
 #include "HexSweepWriter.h"
 
 #include <vtkDoubleArray.h>
@@ -35,28 +32,58 @@ std::string textOf(const std::vector<hexsweep::Index>& ids)
   return text;
 }
 
-void addRows(const hexsweep::SweepCandidates& candidates, vtkTable* table)
+/// A body's own ways to sweep it.
+struct RankedBody
 {
+  hexsweep::Index volumeId = 0;
+  hexsweep::SweepCandidates candidates;
+};
+
+/// @param sourceFaceIds empty: any source.
+RankedBody rankedBody(
+  const hexsweep::ReadBody& body, const std::vector<hexsweep::Index>& sourceFaceIds)
+{
+  return hexsweep::aboutBody(body, [&] {
+    RankedBody ranked{ body.volumeId,
+      sourceFaceIds.empty() ? hexsweep::findSweepCandidates(body.surface)
+                            : hexsweep::findTargetCandidates(body.surface, sourceFaceIds) };
+    for (hexsweep::SweepCandidate& candidate : ranked.candidates.list)
+    {
+      candidate.reasons = hexsweep::reflectedPlaces(candidate.reasons, body.solid.reflection);
+    }
+    return ranked;
+  });
+}
+
+void addRows(const std::vector<RankedBody>& bodies, vtkTable* table)
+{
+  vtkNew<vtkIdTypeArray> volumes;
   vtkNew<vtkIdTypeArray> ranks;
   vtkNew<vtkStringArray> sources;
   vtkNew<vtkStringArray> targets;
   vtkNew<vtkDoubleArray> scores;
   vtkNew<vtkStringArray> verdicts;
   vtkNew<vtkStringArray> reasons;
+  volumes->SetName(hexsweep::arrays::VolumeId);
   ranks->SetName("Rank");
   sources->SetName("SourceFaceIds");
   targets->SetName("TargetFaceIds");
   scores->SetName("Score");
   verdicts->SetName("Verdict");
   reasons->SetName("Reasons");
-  for (const hexsweep::SweepCandidate& candidate : candidates.list)
+  for (const RankedBody& body : bodies)
   {
-    ranks->InsertNextValue(ranks->GetNumberOfValues() + 1);
-    sources->InsertNextValue(textOf(candidate.sourceFaceIds));
-    targets->InsertNextValue(textOf(candidate.targetFaceIds));
-    scores->InsertNextValue(candidate.score);
-    verdicts->InsertNextValue(verdictOn(candidate));
-    reasons->InsertNextValue(candidate.reasons);
+    vtkIdType rank = 0;
+    for (const hexsweep::SweepCandidate& candidate : body.candidates.list)
+    {
+      volumes->InsertNextValue(body.volumeId);
+      ranks->InsertNextValue(++rank);
+      sources->InsertNextValue(textOf(candidate.sourceFaceIds));
+      targets->InsertNextValue(textOf(candidate.targetFaceIds));
+      scores->InsertNextValue(candidate.score);
+      verdicts->InsertNextValue(verdictOn(candidate));
+      reasons->InsertNextValue(candidate.reasons);
+    }
   }
   table->AddColumn(ranks);
   table->AddColumn(sources);
@@ -64,6 +91,7 @@ void addRows(const hexsweep::SweepCandidates& candidates, vtkTable* table)
   table->AddColumn(scores);
   table->AddColumn(verdicts);
   table->AddColumn(reasons);
+  table->AddColumn(volumes);
 }
 }
 
@@ -101,21 +129,27 @@ int vtkSweepCandidates::RequestData(
     {
       return;
     }
-    hexsweep::checkFeatureAngle(this->FeatureAngle);
-    hexsweep::SolidOptions options;
-    options.matchTolerance = this->MatchTolerance;
-    options.featureAngle = this->FeatureAngle * hexsweep::Pi / 180.0;
-    const hexsweep::SolidSurface solid = hexsweep::makeSolidSurface(
-      hexsweep::readSolid(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this)).surface,
-      options);
-    const hexsweep::SweepCandidates candidates = this->SourceFaceIds.empty()
-      ? hexsweep::findSweepCandidates(solid)
-      : hexsweep::findTargetCandidates(
-          solid, { this->SourceFaceIds.begin(), this->SourceFaceIds.end() });
+    const std::vector<hexsweep::ReadBody> bodies =
+      hexsweep::readBodies(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this),
+        hexsweep::solidOptions(this->MatchTolerance, this->FeatureAngle));
+    const std::vector<hexsweep::Index> sources(
+      this->SourceFaceIds.begin(), this->SourceFaceIds.end());
+    hexsweep::checkNamedFaces(bodies, sources);
+    std::vector<RankedBody> ranked;
+    bool cut = false;
+    for (const hexsweep::ReadBody& body : bodies)
+    {
+      const std::vector<hexsweep::Index> own = hexsweep::facesOnBody(body, sources);
+      if (sources.empty() || !own.empty())
+      {
+        ranked.push_back(rankedBody(body, own));
+        cut = cut || ranked.back().candidates.cut;
+      }
+    }
     vtkTable* table = vtkTable::GetData(outputs);
-    addRows(candidates, table);
-    hexsweep::addReport(table->GetFieldData(), hexsweep::reports::CandidatesCut,
-      static_cast<hexsweep::Index>(candidates.cut));
+    addRows(ranked, table);
+    hexsweep::addReport(
+      table->GetFieldData(), hexsweep::reports::CandidatesCut, static_cast<hexsweep::Index>(cut));
   });
 }
 

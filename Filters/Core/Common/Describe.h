@@ -28,7 +28,7 @@ inline std::string verb(
   return !name.empty() && name.back() == 's' ? plural : singular;
 }
 
-/// "(x, y, z)".
+/// "(x, y, z)". Messages write places in no other way, so that reflectedPlaces() finds them.
 inline std::string describe(const Eigen::Ref<const Eigen::RowVector3d>& point)
 {
   return "(" + describe(point[0]) + ", " + describe(point[1]) + ", " + describe(point[2]) + ")";

@@ -173,6 +173,7 @@ std::optional<CapCandidate> makeCapCandidate(const FaceGraph& graph, const FaceS
   {
     candidate.faceIds.push_back(graph.patches.ids[face]);
   }
+  std::sort(candidate.faceIds.begin(), candidate.faceIds.end());
   std::vector<char> isIn(graph.faces.size(), 0);
   for (const std::size_t face : faces)
   {

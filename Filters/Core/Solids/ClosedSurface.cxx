@@ -3,6 +3,7 @@
 
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Geometry/SolidAngle.h"
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Surfaces/FaceSides.h"
 
@@ -152,19 +153,6 @@ double sixfoldVolume(const SolidSurface& solid, Index t, const Eigen::RowVector3
   return a.dot(b.cross(c));
 }
 
-/// Solid angle (steradians, signed) under which a point sees a triangle: A. van Oosterom,
-/// J. Strackee, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30, 1983.
-double solidAngle(const SolidSurface& solid, Index t, const Eigen::RowVector3d& eye)
-{
-  const Eigen::RowVector3d a = solid.points.row(solid.triangles(t, 0)) - eye;
-  const Eigen::RowVector3d b = solid.points.row(solid.triangles(t, 1)) - eye;
-  const Eigen::RowVector3d c = solid.points.row(solid.triangles(t, 2)) - eye;
-  return 2.0 *
-    std::atan2(a.dot(b.cross(c)),
-      a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + b.dot(c) * a.norm() +
-        c.dot(a) * b.norm());
-}
-
 double signOf(Turn turn)
 {
   return turn == Turn::Turned ? -1.0 : 1.0;
@@ -185,20 +173,22 @@ double signOf(Turn turn)
   {
     if (shells.shellOfTriangle[static_cast<std::size_t>(t)] == outer)
     {
-      angle += signOf(shells.turns[static_cast<std::size_t>(t)]) * solidAngle(solid, t, eye);
+      angle += signOf(shells.turns[static_cast<std::size_t>(t)]) *
+        solidAngle(solid.points.row(solid.triangles(t, 0)), solid.points.row(solid.triangles(t, 1)),
+          solid.points.row(solid.triangles(t, 2)), eye);
     }
   }
   const std::string where =
     " (" + describeCell(solid, seen) + " at " + describe(triangleCenter(solid, seen)) + ")";
   const std::string number = std::to_string(shells.count) + " closed shells";
-  if (std::abs(angle) > 6.0)
+  if (std::abs(angle) > InsideAngle)
   {
     throw InvalidInput("the solid has " + number + ": an inner void" + where +
       ". A sweep fills the whole inside: remove the inner shell, or cut the solid so that the void "
       "becomes a hole from cap to cap.");
   }
   throw InvalidInput("the solid has " + number + " side by side, the second one with " +
-    where.substr(2, where.size() - 3) + ". Sweep the bodies one by one.");
+    where.substr(2, where.size() - 3) + ". Give each body a VolumeId of its own.");
 }
 }
 

@@ -4,23 +4,26 @@
 #include "Core/Common/DisjointSets.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace hexsweep
 {
 FacePatches findFacePatches(const SolidSurface& solid, const HalfEdgeTriangles& halfEdges)
 {
   FacePatches table;
-  table.ids = solid.faceIds;
-  std::sort(table.ids.begin(), table.ids.end());
-  table.ids.erase(std::unique(table.ids.begin(), table.ids.end()), table.ids.end());
-  table.triangles.resize(table.ids.size());
+  std::unordered_map<Index, std::size_t> numbers;
   const Index m = solid.triangles.rows();
   DisjointSets patches(m);
   for (Index t = 0; t < m; ++t)
   {
     const Index id = solid.faceIds[static_cast<std::size_t>(t)];
-    const auto face = static_cast<std::size_t>(
-      std::lower_bound(table.ids.begin(), table.ids.end(), id) - table.ids.begin());
+    const auto [known, isNew] = numbers.emplace(id, table.ids.size());
+    if (isNew)
+    {
+      table.ids.push_back(id);
+      table.triangles.emplace_back();
+    }
+    const std::size_t face = known->second;
     table.faceOfTriangle.push_back(face);
     table.triangles[face].push_back(t);
     for (Index half = 3 * t; half < 3 * t + 3; ++half)

@@ -13,10 +13,11 @@
 
 namespace hexsweep
 {
-/// Faces go by numbers here: their place among the ids.
+/// Faces go by numbers here, which do not depend on their ids: in the order of their first
+/// triangles.
 struct FacePatches
 {
-  std::vector<Index> ids;                    ///< rising, each once
+  std::vector<Index> ids;                    ///< by number
   std::vector<std::vector<Index>> triangles; ///< of each face, rising
   std::vector<std::size_t> faceOfTriangle;
   /// Connected part of one face that each triangle belongs to, numbered by their first triangles.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 namespace hexsweep
@@ -36,8 +37,8 @@ std::array<Index, 4> joinHalves(
 
 /// Quads on the solid's points as a mesh of their own. @param corners points of the solid, 4 a
 /// quad.
-FaceQuads onUsedPoints(
-  const SolidSurface& solid, const std::vector<Index>& corners, std::vector<Index> cellIds)
+FaceQuads onUsedPoints(const SolidInput& input, const SolidSurface& solid,
+  const std::vector<Index>& corners, std::vector<Index> cellIds)
 {
   FaceQuads result;
   result.cellIds = std::move(cellIds);
@@ -48,7 +49,9 @@ FaceQuads onUsedPoints(
   for (std::size_t p = 0; p < used.size(); ++p)
   {
     result.mesh.points.row(static_cast<Index>(p)) = solid.points.row(used[p]);
-    result.pointIds.push_back(solid.pointRows[static_cast<std::size_t>(used[p])]);
+    const Index row = solid.pointRows[static_cast<std::size_t>(used[p])];
+    result.pointIds.push_back(
+      input.pointIds.empty() ? row : input.pointIds[static_cast<std::size_t>(row)]);
   }
   result.mesh.quads.resize(static_cast<Index>(corners.size()) / 4, 4);
   for (std::size_t c = 0; c < corners.size(); ++c)
@@ -72,21 +75,25 @@ std::optional<FaceQuads> quadsOfFaces(
     const Index row = solid.triangleRows[static_cast<std::size_t>(t)];
     return input.quadOfTriangle[static_cast<std::size_t>(row)];
   };
+  std::map<Index, std::vector<Index>> halves; // of each quad
+  for (const Index t : triangles)
+  {
+    halves[quadOf(t)].push_back(t);
+  }
   std::vector<Index> cellIds;
   std::vector<Index> corners; // points of the solid
-  for (std::size_t i = 0; i < triangles.size(); i += 2)
+  for (const auto& [quad, rows] : halves)
   {
-    const Index quad = quadOf(triangles[i]);
-    if (quad < 0 || i + 1 == triangles.size() || quadOf(triangles[i + 1]) != quad)
+    if (quad < 0 || rows.size() != 2)
     {
       return std::nullopt;
     }
     const std::array<Index, 4> joined =
-      joinHalves(solid.triangles.row(triangles[i]), solid.triangles.row(triangles[i + 1]));
+      joinHalves(solid.triangles.row(rows[0]), solid.triangles.row(rows[1]));
     corners.insert(corners.end(), joined.begin(), joined.end());
     cellIds.push_back(input.quadCellIds[static_cast<std::size_t>(quad)]);
   }
-  return onUsedPoints(solid, corners, std::move(cellIds));
+  return onUsedPoints(input, solid, corners, std::move(cellIds));
 }
 
 std::vector<std::vector<QuadMesh>> sidePatches(

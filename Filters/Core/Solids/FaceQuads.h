@@ -17,7 +17,7 @@ namespace hexsweep
 struct FaceQuads
 {
   QuadMesh mesh;               ///< on the solid's points (merged), normals outward
-  std::vector<Index> pointIds; ///< row of SolidInput::points, one a point of the mesh
+  std::vector<Index> pointIds; ///< see SolidInput::pointIds, one a point of the mesh
   std::vector<Index> cellIds;  ///< of SolidInput::quadCellIds, one a quad
 };
 

@@ -10,7 +10,9 @@
 #include "Core/Surfaces/TriangleAngles.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 
 namespace hexsweep
 {
@@ -47,20 +49,13 @@ void checkPoints(const SolidInput& input)
   }
 }
 
-void checkInput(const SolidInput& input, const SolidOptions& options)
+void checkTolerance(const SolidOptions& options)
 {
-  if (input.triangles.rows() == 0)
-  {
-    throw InvalidInput("the solid is empty (no triangles). Connect its closed boundary surface.");
-  }
   if (!(options.matchTolerance >= 0.0 && options.matchTolerance < 0.5))
   {
     throw InvalidInput("the match tolerance is " + describe(options.matchTolerance) +
       "; it is relative to the local edge length and must lie between 0 and 0.5.");
   }
-  checkLength(input.faceIds, input.triangles.rows(), "face");
-  checkLength(input.cellIds, input.triangles.rows(), "cell");
-  checkPoints(input);
 }
 
 bool isCollapsed(const Eigen::Matrix<Index, 1, 3>& corners)
@@ -127,6 +122,34 @@ SolidSurface weldedSurface(const SolidInput& input, const std::vector<Index>& we
   return solid;
 }
 
+/// Faces numbered in the order of their first input cells, whatever the order of the triangles.
+std::vector<Index> numberedByCells(
+  const std::vector<Index>& cellIds, std::vector<Index> faceOfTriangle, Index first)
+{
+  std::map<Index, Index> firstCell;
+  for (std::size_t t = 0; t < faceOfTriangle.size(); ++t)
+  {
+    const auto known = firstCell.emplace(faceOfTriangle[t], cellIds[t]).first;
+    known->second = std::min(known->second, cellIds[t]);
+  }
+  std::vector<std::pair<Index, Index>> faces; // first cell, face
+  for (const auto& [face, cell] : firstCell)
+  {
+    faces.emplace_back(cell, face);
+  }
+  std::sort(faces.begin(), faces.end());
+  std::map<Index, Index> number;
+  for (const auto& face : faces)
+  {
+    number.emplace(face.second, first + static_cast<Index>(number.size()));
+  }
+  for (Index& face : faceOfTriangle)
+  {
+    face = number.at(face);
+  }
+  return faceOfTriangle;
+}
+
 void checkAreas(const SolidSurface& solid)
 {
   for (Index t = 0; t < solid.triangles.rows(); ++t)
@@ -142,9 +165,21 @@ void checkAreas(const SolidSurface& solid)
 }
 }
 
+void checkSolidInput(const SolidInput& input)
+{
+  if (input.triangles.rows() == 0)
+  {
+    throw InvalidInput("the solid is empty (no triangles). Connect its closed boundary surface.");
+  }
+  checkLength(input.faceIds, input.triangles.rows(), "face");
+  checkLength(input.cellIds, input.triangles.rows(), "cell");
+  checkPoints(input);
+}
+
 SolidSurface makeSolidSurface(const SolidInput& input, const SolidOptions& options)
 {
-  checkInput(input, options);
+  checkSolidInput(input);
+  checkTolerance(options);
   SolidSurface solid =
     weldedSurface(input, weldOpenEdges(input.points, input.triangles, options.matchTolerance));
   if (solid.triangles.rows() == 0)
@@ -182,7 +217,8 @@ SolidSurface makeSolidSurface(const SolidInput& input, const SolidOptions& optio
         describe(faces.sharpest * 180.0 / Pi) +
         " degrees. Give each face an id (a cell array), or lower the feature angle below that.");
     }
-    solid.faceIds = std::move(faces.faceOfTriangle);
+    solid.faceIds =
+      numberedByCells(solid.cellIds, std::move(faces.faceOfTriangle), options.firstFaceId);
   }
   return solid;
 }

@@ -19,6 +19,8 @@ struct SolidInput
   std::vector<Index> faceIds;
   /// Input cell that each triangle is part of; empty: the triangle's own row.
   std::vector<Index> cellIds;
+  /// Input point that each point is; empty: its own row.
+  std::vector<Index> pointIds;
   /// Cells that were quads before they were cut into triangles.
   Quads quads{ 0, 4 };
   /// Input cell that each quad is (or, of a volume mesh, is a face of).
@@ -35,7 +37,13 @@ struct SolidOptions
   /// Radians, in (0, pi): neighbours whose normals differ by less are in one face. Only looked at
   /// where there are no face ids.
   double featureAngle = Pi / 6.0;
+  Index firstFaceId = 0; ///< of faces that are found by angle
 };
+
+/// @throw InvalidInput: no triangles; id lists of the wrong length; a corner that does not exist or
+/// is
+///        not finite.
+void checkSolidInput(const SolidInput& input);
 
 /**
  * Merges coincident points, leaves out collapsed triangles, turns the others outward and checks
@@ -45,10 +53,9 @@ struct SolidOptions
  * itself stays as it is.
  * Costs O(n log n).
  *
- * @throw InvalidInput: no triangles; id lists of the wrong length; a point that does not exist or
- *        is not finite; a triangle without area; an edge of one triangle (open solid) or more than
- *        two; triangles that meet in a point only; a surface that cannot be oriented, encloses
- *        nothing or has several shells; a feature angle that leaves one face only.
+ * @throw InvalidInput as checkSolidInput(); a triangle without area; an edge of one triangle (open
+ * solid) or more than two; triangles that meet in a point only; a surface that cannot be oriented,
+ * encloses nothing or has several shells; a feature angle that leaves one face only.
  */
 SolidSurface makeSolidSurface(const SolidInput& input, const SolidOptions& options = {});
 }

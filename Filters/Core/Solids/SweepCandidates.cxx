@@ -135,8 +135,9 @@ private:
     {
       const std::vector<Index>& all = this->Graph.patches.ids;
       faces.push_back(
-        static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), id) - all.begin()));
+        static_cast<std::size_t>(std::find(all.begin(), all.end(), id) - all.begin()));
     }
+    std::sort(faces.begin(), faces.end());
     const Index cap = this->capOf(faces);
     if (cap < 0)
     {

@@ -153,6 +153,6 @@ bool isBetterSource(const CapCandidate& first, const CapCandidate& second)
   {
     return first.area > second.area;
   }
-  return first.faceIds < second.faceIds;
+  return first.faces < second.faces;
 }
 }

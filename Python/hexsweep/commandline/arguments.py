@@ -83,6 +83,7 @@ def _add_meshing(parser):
     parser.add_argument("-o", "--output", metavar="FILE", help="what to write")
     parser.add_argument("--source", type=int, nargs="+", metavar="ID", help="the source faces (found)")
     parser.add_argument("--target", type=int, nargs="+", metavar="ID", help="the target faces (found)")
+    parser.add_argument("--volume", dest="volumes", type=int, nargs="+", metavar="ID", help="bodies (all)")
     parser.add_argument("--quads", metavar="FILE", help="quads of the source cap (they are made)")
     parser.add_argument("--both-ends", action="store_true", help="layers grow from both caps")
     parser.add_argument(

@@ -21,7 +21,7 @@ def _list(options):
     solid = read(options.solid, messages)
     faces = _table(vtkSolidFaces(), solid, options)
     candidates = _table(vtkSweepCandidates(), solid, options)
-    return "\n".join([*_face_lines(faces), *_candidate_lines(candidates)])
+    return "\n".join([*_face_lines(faces), *_candidate_lines(candidates, _volumes(faces))])
 
 
 def _table(algorithm, solid, options):
@@ -47,34 +47,51 @@ def _face_lines(table):
             "The solid has no cell array FaceId or CellEntityIds: faces are told apart by the angle "
             "between triangles and numbered from 0."
         )
-    yield f"{'face':>6} {'triangles':>9} {'area':>12}   {'centre':<36} flat"
-    ids, triangles, areas, centers, flatness = (table.GetColumn(i) for i in range(5))
+    ids, triangles, areas, centers, flatness, volumes = (table.GetColumn(i) for i in range(6))
+    several = len(_volumes(table)) > 1
+    heading = f"{'volume':>6} " if several else ""
+    yield f"{heading}{'face':>6} {'triangles':>9} {'area':>12}   {'centre':<36} flat"
     for row in range(table.GetNumberOfRows()):
         place = ", ".join(f"{x:.4g}" for x in centers.GetTuple3(row))
         flat = "yes" if flatness.GetValue(row) > 0.9999 else "no"
+        volume = f"{volumes.GetValue(row):>6} " if several else ""
         yield (
-            f"{ids.GetValue(row):>6} {triangles.GetValue(row):>9} {areas.GetValue(row):>12.6g}   "
+            f"{volume}{ids.GetValue(row):>6} {triangles.GetValue(row):>9} {areas.GetValue(row):>12.6g}   "
             f"({place:<34}) {flat}"
         )
 
 
-def _candidate_lines(table):
-    rows = table.GetNumberOfRows()
-    if rows == 0:
-        yield "No pair of face sets was found between which the solid can be swept."
-        return
-    yield "Ways to sweep it, the best first:"
-    yield f"{'score':>6} verdict  source -> target"
-    for row in range(min(rows, _MOST_CANDIDATES)):
-        source, target, verdict, reasons = (
-            table.GetValueByName(row, name).ToString()
-            for name in ("SourceFaceIds", "TargetFaceIds", "Verdict", "Reasons")
-        )
-        score = table.GetValueByName(row, "Score").ToDouble()
-        why = f": {reasons}" if reasons else ""
-        yield f"{score:>6.3f} {verdict:<8} {source} -> {target}{why}"
-    cut = table.GetFieldData().GetArray("SweepReportCandidatesCut").GetTuple1(0)
-    if rows > _MOST_CANDIDATES:
-        yield f"({rows - _MOST_CANDIDATES} more, see Sweep Candidates in ParaView)"
-    if cut:
+def _volumes(table):
+    column = table.GetColumnByName("VolumeId")
+    return sorted({column.GetValue(row) for row in range(column.GetNumberOfValues())})
+
+
+def _candidate_lines(table, volumes):
+    """@param volumes: all that the solid has."""
+    for volume in volumes:
+        rows = [r for r in range(table.GetNumberOfRows()) if _number(table, r, "VolumeId") == volume]
+        body = f"volume {volume}" if len(volumes) > 1 else "the solid"
+        if not rows:
+            yield f"No pair of face sets was found between which {body} can be swept."
+            continue
+        yield f"Ways to sweep {'it' if len(volumes) == 1 else body}, the best first:"
+        yield f"{'score':>6} verdict  source -> target"
+        yield from (_candidate_line(table, row) for row in rows[:_MOST_CANDIDATES])
+        if len(rows) > _MOST_CANDIDATES:
+            yield f"({len(rows) - _MOST_CANDIDATES} more, see Sweep Candidates in ParaView)"
+    if table.GetFieldData().GetArray("SweepReportCandidatesCut").GetTuple1(0):
         yield "(There are more caps than were tried.)"
+
+
+def _number(table, row, name):
+    return table.GetValueByName(row, name).ToLongLong()
+
+
+def _candidate_line(table, row):
+    source, target, verdict, reasons = (
+        table.GetValueByName(row, name).ToString()
+        for name in ("SourceFaceIds", "TargetFaceIds", "Verdict", "Reasons")
+    )
+    score = table.GetValueByName(row, "Score").ToDouble()
+    why = f": {reasons}" if reasons else ""
+    return f"{score:>6.3f} {verdict:<8} {source} -> {target}{why}"

@@ -39,8 +39,11 @@ def _mesh(options, new):
     if sweep.GetErrorCode() != 0 or hexes.GetNumberOfCells() == 0:
         raise Refusal("" if messages.errors else "there is no mesh, and no filter has said why.")
     write(sweep, new, options.role_sets, messages)
-    inverted, uncertified = (int(_reported(hexes, name)) for name in ("Inverted", "NotCertified"))
-    least, mean = (float(_reported(hexes, name + "ScaledJacobian")) for name in ("Min", "Mean"))
+    counts = _reported(hexes, "Hexes")
+    inverted, uncertified = (int(sum(_reported(hexes, name))) for name in ("Inverted", "NotCertified"))
+    least = min(_reported(hexes, "MinScaledJacobian"))
+    means = _reported(hexes, "MeanScaledJacobian")
+    mean = sum(count * own for count, own in zip(counts, means)) / sum(counts)
     return inverted == 0 and uncertified == 0, (
         f"{hexes.GetNumberOfCells()} hexahedra, {inverted} inverted, {uncertified} not certified, "
         f"scaled Jacobian {least:.3f} (least), {mean:.3f} (mean)"
@@ -53,6 +56,8 @@ def _configure(sweep, options):
         sweep.AddSourceFaceId(face)
     for face in options.target or []:
         sweep.AddTargetFaceId(face)
+    for volume in options.volumes or []:
+        sweep.AddVolumeId(volume)
     for position in options.positions or []:
         sweep.AddLayerPosition(position)
     sweep.SetGrowFromBothEnds(options.both_ends)
@@ -61,4 +66,6 @@ def _configure(sweep, options):
 
 
 def _reported(grid, name):
-    return grid.GetFieldData().GetAbstractArray("SweepReport" + name).GetVariantValue(0).ToString()
+    """@return the values of all bodies."""
+    array = grid.GetFieldData().GetArray("SweepReport" + name)
+    return [array.GetTuple1(i) for i in range(array.GetNumberOfTuples())]

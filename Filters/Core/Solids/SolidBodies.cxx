@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/SolidBodies.h"
+
+#include "Core/Common/DisjointSets.h"
+#include "Core/Common/Errors.h"
+#include "Core/Geometry/SolidAngle.h"
+#include "Core/Surfaces/FaceSides.h"
+#include "Core/Surfaces/OpenEdgeWelding.h"
+#include "Core/Surfaces/SurfaceTopology.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+/// Triangles that hang together, on points of the solid.
+struct Shell
+{
+  std::vector<Index> rows; ///< of the solid's triangles, rising
+  Triangles triangles;
+  Eigen::RowVector3d low;
+  Eigen::RowVector3d high;
+};
+
+Triangles weldedTriangles(const SolidInput& solid, const SolidOptions& options)
+{
+  const std::vector<Index> welded =
+    weldOpenEdges(solid.points, solid.triangles, options.matchTolerance);
+  Triangles triangles = solid.triangles;
+  for (Index i = 0; i < triangles.size(); ++i)
+  {
+    triangles.data()[i] = welded[static_cast<std::size_t>(triangles.data()[i])];
+  }
+  return triangles;
+}
+
+/// By first triangles.
+std::vector<Shell> findShells(const SolidInput& solid, const SolidOptions& options)
+{
+  const Triangles triangles = weldedTriangles(solid, options);
+  const std::vector<FaceSide> sides = sortedSides(triangles, solid.points.rows());
+  DisjointSets sets(triangles.rows());
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    for (std::size_t s = first + 1; s < last; ++s)
+    {
+      sets.join(sides[first].face, sides[s].face);
+    }
+  });
+  std::map<Index, Shell> shells;
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    shells[sets.find(t)].rows.push_back(t);
+  }
+  std::vector<Shell> result;
+  for (auto& [first, shell] : shells)
+  {
+    shell.triangles = triangles(shell.rows, Eigen::all);
+    shell.low = shell.high = solid.points.row(triangles(first, 0));
+    for (Index i = 0; i < shell.triangles.size(); ++i)
+    {
+      const Eigen::RowVector3d p = solid.points.row(shell.triangles.data()[i]);
+      shell.low = shell.low.cwiseMin(p);
+      shell.high = shell.high.cwiseMax(p);
+    }
+    result.push_back(std::move(shell));
+  }
+  return result;
+}
+
+/// Whether neighbours can be turned to agree and every edge has two of them; turns them so.
+bool orientIfClosed(Shell& shell, Index numberOfPoints)
+{
+  bool closed = true;
+  forEachEdge(sortedSides(shell.triangles, numberOfPoints),
+    [&](std::size_t first, std::size_t last) { closed = closed && last - first == 2; });
+  if (!closed)
+  {
+    return false;
+  }
+  try
+  {
+    shell.triangles = orientFaces(shell.triangles, "solid");
+  }
+  catch (const InvalidInput&)
+  {
+    return false; // is said, with its place, when the body's surface is made
+  }
+  return true;
+}
+
+using Corner = Eigen::RowVector3d;
+
+Corner cornerOf(const Shell& shell, Index t, Index c, const SolidInput& solid)
+{
+  return solid.points.row(shell.triangles(t, c));
+}
+
+/// Where a line from `start` meets a triangle, in units of `direction`; nothing where it does not:
+/// T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle intersection", Journal of Graphics
+/// Tools 2, 1997.
+std::optional<double> hitOf(const Shell& shell, Index t, const SolidInput& solid,
+  const Corner& start, const Corner& direction)
+{
+  const Corner a = cornerOf(shell, t, 0, solid);
+  const Corner u = cornerOf(shell, t, 1, solid) - a;
+  const Corner v = cornerOf(shell, t, 2, solid) - a;
+  const Corner p = direction.cross(v);
+  const double determinant = u.dot(p);
+  const Corner q = (start - a).cross(u);
+  const double first = (start - a).dot(p) / determinant;
+  const double second = direction.dot(q) / determinant;
+  if (determinant == 0.0 || !(first >= 0.0 && second >= 0.0 && first + second <= 1.0))
+  {
+    return std::nullopt;
+  }
+  return v.dot(q) / determinant;
+}
+
+/// A point well inside a closed shell, whichever way it is oriented: half-way through it behind its
+/// largest triangle.
+Corner pointInside(const Shell& shell, const SolidInput& solid)
+{
+  double volume = 0.0;
+  double largest = 0.0;
+  Index from = 0;
+  for (Index t = 0; t < shell.triangles.rows(); ++t)
+  {
+    const Corner a = cornerOf(shell, t, 0, solid) - shell.low;
+    const Corner b = cornerOf(shell, t, 1, solid) - shell.low;
+    const Corner c = cornerOf(shell, t, 2, solid) - shell.low;
+    volume += a.dot(b.cross(c));
+    const double area = (b - a).cross(c - a).norm();
+    if (area > largest)
+    {
+      largest = area;
+      from = t;
+    }
+  }
+  const Corner a = cornerOf(shell, from, 0, solid);
+  const Corner b = cornerOf(shell, from, 1, solid);
+  const Corner c = cornerOf(shell, from, 2, solid);
+  const Corner start = (a + b + c) / 3.0;
+  const Corner inward = (volume > 0.0 ? -1.0 : 1.0) * (b - a).cross(c - a);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Index t = 0; t < shell.triangles.rows(); ++t)
+  {
+    const std::optional<double> hit = hitOf(shell, t, solid, start, inward);
+    if (t != from && hit && *hit > 0.0)
+    {
+      nearest = std::min(nearest, *hit);
+    }
+  }
+  return std::isfinite(nearest) ? Corner(start + 0.5 * nearest * inward) : start;
+}
+
+/// A point of the inner shell's surface would not do: bodies may touch.
+bool isAround(const Shell& outer, const Shell& inner, const SolidInput& solid)
+{
+  if ((inner.low.array() < outer.low.array()).any() ||
+    (inner.high.array() > outer.high.array()).any())
+  {
+    return false;
+  }
+  const Corner eye = pointInside(inner, solid);
+  double angle = 0.0;
+  for (Index t = 0; t < outer.triangles.rows(); ++t)
+  {
+    angle += solidAngle(cornerOf(outer, t, 0, solid), cornerOf(outer, t, 1, solid),
+      cornerOf(outer, t, 2, solid), eye);
+  }
+  return std::abs(angle) > InsideAngle;
+}
+
+/// Number of the body of each triangle, from 1 on.
+std::vector<Index> bodiesOfShells(const SolidInput& solid, const SolidOptions& options)
+{
+  std::vector<Shell> shells = findShells(solid, options);
+  DisjointSets sets(static_cast<Index>(shells.size()));
+  if (shells.size() > 1)
+  {
+    std::vector<bool> isClosed;
+    for (Shell& shell : shells)
+    {
+      isClosed.push_back(orientIfClosed(shell, solid.points.rows()));
+    }
+    for (std::size_t i = 0; i < shells.size(); ++i)
+    {
+      for (std::size_t j = 0; j < shells.size(); ++j)
+      {
+        if (i != j && isClosed[i] && isClosed[j] && isAround(shells[i], shells[j], solid))
+        {
+          sets.join(static_cast<Index>(i), static_cast<Index>(j));
+        }
+      }
+    }
+  }
+  std::vector<Index> bodies(static_cast<std::size_t>(solid.triangles.rows()), 0);
+  std::map<Index, Index> numbers;
+  for (std::size_t i = 0; i < shells.size(); ++i)
+  {
+    const Index number =
+      numbers.emplace(sets.find(static_cast<Index>(i)), static_cast<Index>(numbers.size()) + 1)
+        .first->second;
+    for (const Index t : shells[i].rows)
+    {
+      bodies[static_cast<std::size_t>(t)] = number;
+    }
+  }
+  return bodies;
+}
+
+template <typename T>
+std::vector<T> taken(const std::vector<T>& values, const std::vector<Index>& rows)
+{
+  std::vector<T> result;
+  for (std::size_t i = 0; i < rows.size() && !values.empty(); ++i)
+  {
+    result.push_back(values[static_cast<std::size_t>(rows[i])]);
+  }
+  return result;
+}
+
+SolidInput bodyOf(const SolidInput& solid, const std::vector<Index>& rows)
+{
+  SolidInput body;
+  body.points = solid.points;
+  body.pointIds = solid.pointIds;
+  body.triangles = solid.triangles(rows, Eigen::all);
+  body.faceIds = taken(solid.faceIds, rows);
+  body.cellIds = solid.cellIds.empty() ? rows : taken(solid.cellIds, rows);
+  body.quads = solid.quads;
+  body.quadCellIds = solid.quadCellIds;
+  body.quadOfTriangle = taken(solid.quadOfTriangle, rows);
+  return body;
+}
+}
+
+std::vector<SolidBody> solidBodies(
+  const SolidInput& solid, const std::vector<Index>& volumeIds, const SolidOptions& options)
+{
+  checkSolidInput(solid);
+  if (!volumeIds.empty() && static_cast<Index>(volumeIds.size()) != solid.triangles.rows())
+  {
+    throw InvalidInput("the solid has " + std::to_string(solid.triangles.rows()) +
+      " triangles but " + std::to_string(volumeIds.size()) + " volume ids. Give one a triangle.");
+  }
+  const std::vector<Index> bodies = volumeIds.empty() ? bodiesOfShells(solid, options) : volumeIds;
+  std::map<Index, std::vector<Index>> rowsOfBody;
+  for (std::size_t t = 0; t < bodies.size(); ++t)
+  {
+    rowsOfBody[bodies[t]].push_back(static_cast<Index>(t));
+  }
+  std::vector<SolidBody> result;
+  if (rowsOfBody.size() == 1)
+  {
+    result.push_back({ bodies.front(), solid });
+    return result;
+  }
+  for (const auto& [id, rows] : rowsOfBody)
+  {
+    result.push_back({ id, bodyOf(solid, rows) });
+  }
+  return result;
+}
+}

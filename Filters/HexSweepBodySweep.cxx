@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepBodySweep.h"
+
+#include "Core/Common/Describe.h"
+#include "Core/Solids/SolidMessages.h"
+#include "Core/Solids/SweepChoice.h"
+#include "HexSweepAppend.h"
+#include "HexSweepArrays.h"
+#include "HexSweepReader.h"
+#include "HexSweepWriter.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+using Sweep = std::function<SolidSweepResult(const SweepTopology& topology, BodyMesh& mesh)>;
+
+double badHexes(const BodyMesh& mesh)
+{
+  return mesh.hexes->GetFieldData()->GetArray(reports::NotCertified)->GetTuple1(0);
+}
+
+/**
+ * Tries one sweep after the other until one gives a valid mesh; else the one with the fewest bad
+ * hexahedra is taken.
+ *
+ * @return what to tell the user.
+ * @throw InvalidInput when none gives a mesh.
+ */
+std::vector<std::string> bestOfSweeps(const SweepChoice& choice, const Sweep& sweep, BodyMesh& best)
+{
+  std::vector<std::string> warnings;
+  std::string failed;
+  bool found = false;
+  for (const SweepTopology& topology : choice.sweeps)
+  {
+    const std::string way = describeWay(topology.sourceFaceIds, topology.targetFaceIds);
+    BodyMesh mesh;
+    try
+    {
+      const SolidSweepResult result = sweep(topology, mesh);
+      const double bad = badHexes(mesh);
+      if (result.valid || !found || bad < badHexes(best))
+      {
+        best = std::move(mesh);
+        warnings = result.warnings;
+        if (!failed.empty())
+        {
+          warnings.insert(warnings.begin(),
+            "no source face is named, and this is the sweep " + way +
+              ", since others that looked better did not work:" + failed +
+              " Name SourceFaceIds if another sweep is meant.");
+        }
+        found = true;
+      }
+      if (result.valid)
+      {
+        return warnings;
+      }
+      failed += " " + way + " has " + describe(bad) + " hexahedra that are not certified.";
+    }
+    catch (const InvalidInput& error)
+    {
+      failed += " " + way + ": " + error.what();
+    }
+    catch (const SolverFailure& error)
+    {
+      failed += " " + way + ": " + error.what();
+    }
+  }
+  if (!found)
+  {
+    throw InvalidInput("no source face is named, and of the sweeps that look best none works:" +
+      failed + " Name SourceFaceIds and TargetFaceIds if another sweep is meant.");
+  }
+  return warnings;
+}
+
+/// Sweeps one body. @return what to tell the user, with places of the body.
+std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
+  const SolidSweepSettings& settings, StageClock& stages, const Progress& progress, BodyMesh& mesh)
+{
+  const SolidSurface& surface = solid.body.surface;
+  const std::optional<QuadMesh> quads = readOptionalQuads(solid.sourceQuads, "source quads");
+  if (quads && named.sourceFaceIds.empty())
+  {
+    named.sourceFaceIds =
+      facesUnder(surface, { reflected(quads->points, solid.body.solid.reflection), quads->quads });
+  }
+  const SweepChoice choice = chooseSweeps(surface, named.sourceFaceIds, named.targetFaceIds);
+  stages.finish("Topology");
+  reportProgress(progress, 0.03);
+
+  const Sweep sweep = [&](const SweepTopology& topology, BodyMesh& made) {
+    return sweepSolid(solid, topology, settings, stages, progressPart(progress, 0.03, 1.0),
+      made.hexes, made.boundary);
+  };
+  const std::vector<std::string> warnings =
+    named.sourceFaceIds.empty() && named.targetFaceIds.empty()
+    ? bestOfSweeps(choice, sweep, mesh)
+    : sweep(choice.sweeps.front(), mesh).warnings;
+  std::vector<std::string> ranking;
+  for (const std::string& line : describeRanking(choice.ranking))
+  {
+    ranking.push_back(messageAbout(solid.body, line));
+  }
+  addReport(mesh.hexes->GetFieldData(), reports::Candidates, ranking);
+  return warnings;
+}
+
+void checkSeveral(const BodiesToSweep& solid, const NamedCaps& named)
+{
+  if (solid.sourceQuads)
+  {
+    throw InvalidInput("source quads are given, and the solid has " +
+      countOf(solid.bodies.size(), "volume") +
+      ". Name the one that they lie on (VolumeIds), or give none.");
+  }
+  checkNamedFaces(solid.bodies, named.sourceFaceIds);
+  checkNamedFaces(solid.bodies, named.targetFaceIds);
+}
+
+[[noreturn]] void failOnBodies(
+  const std::vector<Index>& swept, const std::vector<std::string>& problems)
+{
+  constexpr std::size_t Shown = 3;
+  std::string text = countOf(problems.size(), "volume") + " of the solid cannot be swept";
+  text += swept.empty()
+    ? ":"
+    : ", those that can are " + listIds(swept) + " (set VolumeIds to sweep them alone):";
+  for (std::size_t i = 0; i < std::min(Shown, problems.size()); ++i)
+  {
+    text += " " + problems[i];
+  }
+  throw InvalidInput(text + (problems.size() > Shown ? " ..." : ""));
+}
+
+std::vector<std::string> sweepSeveral(const BodiesToSweep& solid, const NamedCaps& named,
+  const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
+  std::vector<BodyMesh>& meshes)
+{
+  checkSeveral(solid, named);
+  std::vector<std::string> warnings;
+  std::vector<std::string> problems;
+  std::vector<Index> swept;
+  const auto count = static_cast<double>(solid.bodies.size());
+  for (std::size_t b = 0; b < solid.bodies.size(); ++b)
+  {
+    const ReadBody& body = solid.bodies[b];
+    const auto begin = static_cast<double>(b);
+    const NamedCaps own{ facesOnBody(body, named.sourceFaceIds),
+      facesOnBody(body, named.targetFaceIds) };
+    try
+    {
+      BodyMesh mesh;
+      for (const std::string& warning : sweepBody({ solid.data, nullptr, body }, own, settings,
+             stages, progressPart(progress, begin / count, (begin + 1.0) / count), mesh))
+      {
+        warnings.push_back(messageAbout(body, warning));
+      }
+      meshes.push_back(std::move(mesh));
+      swept.push_back(body.volumeId);
+    }
+    catch (const InvalidInput& error)
+    {
+      problems.push_back(messageAbout(body, error.what()));
+    }
+    catch (const SolverFailure& error)
+    {
+      problems.push_back(messageAbout(body, error.what()));
+    }
+  }
+  if (!problems.empty())
+  {
+    failOnBodies(swept, problems);
+  }
+  return warnings;
+}
+}
+
+std::vector<std::string> sweepBodies(const BodiesToSweep& solid, const NamedCaps& named,
+  const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
+{
+  if (solid.bodies.size() > 1)
+  {
+    std::vector<BodyMesh> meshes;
+    std::vector<std::string> warnings =
+      sweepSeveral(solid, named, settings, stages, progress, meshes);
+    appendBodies(meshes, hexes, boundary);
+    std::vector<Index> volumeIds;
+    for (const ReadBody& body : solid.bodies)
+    {
+      volumeIds.push_back(body.volumeId);
+    }
+    addIds(hexes->GetFieldData(), reports::VolumeIds, volumeIds);
+    return warnings;
+  }
+  const ReadBody& body = solid.bodies.front();
+  BodyMesh mesh;
+  std::vector<std::string> warnings = aboutBody(body, [&] {
+    return sweepBody(
+      { solid.data, solid.sourceQuads, body }, named, settings, stages, progress, mesh);
+  });
+  for (std::string& warning : warnings)
+  {
+    warning = messageAbout(body, warning);
+  }
+  hexes->ShallowCopy(mesh.hexes);
+  boundary->ShallowCopy(mesh.boundary);
+  return warnings;
+}
+}

@@ -3,6 +3,7 @@
 
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Surfaces/QuadHalving.h"
 #include "Core/Surfaces/TriangleAngles.h"
 
 #include <vtkCellType.h>
@@ -10,7 +11,6 @@
 #include <vtkDataSet.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
-#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolygon.h>
@@ -131,15 +131,14 @@ std::vector<int> cutStrip(int n)
 std::vector<int> cutQuad(vtkGenericCell* cell, bool isPixel)
 {
   const int order[4] = { 0, 1, isPixel ? 3 : 2, isPixel ? 2 : 3 };
-  // The shorter diagonal; a tie goes to the first so that the choice is the same everywhere.
-  const auto length2 = [&](int a, int b) {
+  Eigen::Matrix<double, 4, 3> corners;
+  for (int c = 0; c < 4; ++c)
+  {
     double p[3];
-    double q[3];
-    cell->GetPoints()->GetPoint(order[a], p);
-    cell->GetPoints()->GetPoint(order[b], q);
-    return vtkMath::Distance2BetweenPoints(p, q);
-  };
-  const int s = length2(0, 2) <= length2(1, 3) ? 0 : 1;
+    cell->GetPoints()->GetPoint(order[c], p);
+    corners.row(c) << p[0], p[1], p[2];
+  }
+  const auto s = static_cast<int>(shorterDiagonal(corners));
   return { order[s], order[s + 1], order[s + 2], order[s], order[s + 2], order[(s + 3) % 4] };
 }
 

@@ -4,6 +4,7 @@
 #include "Core/CapQuads/SweepProjection.h"
 #include "Core/Common/Errors.h"
 #include "Core/Linking/LinkingRings.h"
+#include "Core/Surfaces/QuadHalving.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepArrays.h"
 #include "HexSweepCapDiskGrid.h"

@@ -8,6 +8,7 @@
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Linking/LoopMatching.h"
 #include "Core/Surfaces/Cap.h"
+#include "Core/Surfaces/QuadHalving.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "Core/Surfaces/UsedPoints.h"
 
@@ -284,21 +285,6 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   }
   judge();
 }
-}
-
-Triangles halveQuads(const PointsRef& points, const QuadsRef& quads)
-{
-  Triangles triangles(quads.rows() * 2, 3);
-  for (Index q = 0; q < quads.rows(); ++q)
-  {
-    const auto squaredLength = [&](Index a, Index b) {
-      return (points.row(quads(q, a)) - points.row(quads(q, b))).squaredNorm();
-    };
-    const Index s = squaredLength(0, 2) <= squaredLength(1, 3) ? 0 : 1;
-    triangles.row(2 * q) << quads(q, s), quads(q, s + 1), quads(q, s + 2);
-    triangles.row(2 * q + 1) << quads(q, s), quads(q, s + 2), quads(q, (s + 3) % 4);
-  }
-  return triangles;
 }
 
 LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,

@@ -87,9 +87,6 @@ LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
   const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
   const Progress& progress = {},
   TriangulationImprovement improvement = TriangulationImprovement::Off);
-
-/// The quads cut in two along their shorter diagonals.
-Triangles halveQuads(const PointsRef& points, const QuadsRef& quads);
 }
 
 #endif

@@ -252,7 +252,7 @@ void TriangleRemesher::putOnSurface(const std::vector<Vertex>& vertices)
 bool TriangleRemesher::wantsFlip(Edge e) const
 {
   const HalfEdges& mesh = this->Mesh.halfEdges();
-  if (mesh.status(e).deleted() || this->Mesh.isKept(e) || !mesh.is_flip_ok(e))
+  if (mesh.status(e).deleted() || this->Mesh.isKept(e) || mesh.is_boundary(e))
   {
     return false;
   }
@@ -279,17 +279,34 @@ bool TriangleRemesher::wantsFlip(Edge e) const
 Index TriangleRemesher::flip()
 {
   constexpr int MaximumPasses = 20;
+  HalfEdges& mesh = this->Mesh.halfEdges();
+  // Edges that want no flip will not do so before one of their triangles has changed.
+  std::vector<char> settled(mesh.n_edges(), 0);
   Index count = 0;
   for (int pass = 0; pass < MaximumPasses; ++pass)
   {
     Index flips = 0;
-    for (std::size_t i = 0; i < this->Mesh.halfEdges().n_edges(); ++i)
+    for (std::size_t i = 0; i < settled.size(); ++i)
     {
       const Edge e(static_cast<int>(i));
-      if (this->wantsFlip(e))
+      if (settled[i] || !this->wantsFlip(e))
       {
-        this->Mesh.halfEdges().flip(e);
+        settled[i] = 1;
+        continue;
+      }
+      // Looks at all neighbours of a vertex, which are many where a cap has few triangles.
+      if (mesh.is_flip_ok(e))
+      {
+        mesh.flip(e);
         ++flips;
+        for (const unsigned side : { 0u, 1u })
+        {
+          const HalfEdge next = mesh.next_halfedge_handle(mesh.halfedge_handle(e, side));
+          for (const HalfEdge h : { next, mesh.next_halfedge_handle(next) })
+          {
+            settled[static_cast<std::size_t>(mesh.edge_handle(h).idx())] = 0;
+          }
+        }
       }
     }
     count += flips;

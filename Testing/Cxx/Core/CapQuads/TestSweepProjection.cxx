@@ -3,6 +3,7 @@
 #include "Core/CapQuads/SweepProjection.h"
 
 #include "Core/Solvers/SurfaceLaplacian.h"
+#include "Core/Surfaces/QuadHalving.h"
 #include "Core/Surfaces/SurfaceRefinement.h"
 #include "Support/CapMeshes.h"
 

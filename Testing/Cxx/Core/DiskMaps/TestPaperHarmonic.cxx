@@ -5,6 +5,7 @@
 #include "Core/CapQuads/SweepProjection.h"
 #include "Core/Solvers/DirichletSolver.h"
 #include "Core/Solvers/SurfaceLaplacian.h"
+#include "Core/Surfaces/QuadHalving.h"
 #include "Support/CapMeshes.h"
 
 #include <complex>

@@ -30,6 +30,8 @@ SourceCapQuads madeQuads(SourceQuads made)
   result.mesh = std::move(made.mesh);
   result.inverted = made.inverted;
   result.size = made.size;
+  result.imprinted = std::move(made.imprinted);
+  result.imprintWarning = std::move(made.imprintWarning);
   result.origin = "made";
   return result;
 }

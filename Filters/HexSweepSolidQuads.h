@@ -6,6 +6,7 @@
 #ifndef HexSweepSolidQuads_h
 #define HexSweepSolidQuads_h
 
+#include "Core/CapQuads/QuadProjection.h"
 #include "Core/Solids/SweepTopology.h"
 #include "HexSweepHexOutput.h"
 #include "HexSweepSolidSweep.h"
@@ -19,9 +20,11 @@ struct SourceCapQuads
 {
   QuadMesh mesh;
   SourceAttributes attributes;
-  std::string origin; ///< for the report: "SourceQuads", "Solid" or "made"
-  Index inverted = 0; ///< of quads that were made here
-  double size = 0.0;  ///< edge length that these were to have
+  std::string origin;               ///< for the report: "SourceQuads", "Solid" or "made"
+  Index inverted = 0;               ///< of quads that were made here
+  double size = 0.0;                ///< edge length that these were to have
+  std::vector<FixedNode> imprinted; ///< see SourceQuads
+  std::string imprintWarning;       ///< see SourceQuads
 };
 
 /**

@@ -116,6 +116,13 @@ std::vector<std::string> warningsOf(const SizedQuads& sized, const SolidCage& ca
       " are too long for its holes or walls. Set QuadSize to a smaller length, or give quads of "
       "the source cap.");
   }
+  warnings.push_back(sized.quads.imprintWarning);
+  if (cage.leftBorders)
+  {
+    warnings.push_back(
+      "quads of the target lie on two of its faces: along the borders between them "
+      "quads would be inverted. Set QuadSize to a smaller length.");
+  }
   warnings.push_back(describeMismatch(
     cage.projection.sourceMismatch, "source cap of the solid", "boundary of the source quads"));
   return warnings;
@@ -156,7 +163,7 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
     sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
     settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
-    settings.weights, settings.improvement };
+    settings.weights, settings.improvement, sized.quads.imprinted };
   const SolidCage cage = makeSolidCage(cageInput, progressPart(progress, 0.1, 0.48));
   stages.finish(cage.stages);
   if (!settings.targetIsNamed)

@@ -13,7 +13,8 @@ constexpr double Rounding = 1e-12;
 }
 
 SweepProjection projectToImage(const QuadMesh& source, const AffineMap& map,
-  const std::vector<FixedNode>& boundary, const TriangleMesh& target, bool singlePrecision)
+  const std::vector<FixedNode>& boundary, const std::vector<FixedNode>& borders,
+  const TriangleMesh& target, bool singlePrecision)
 {
   SweepProjection result;
   Points& points = result.quads.points;
@@ -33,6 +34,10 @@ SweepProjection projectToImage(const QuadMesh& source, const AffineMap& map,
       const bool isOff = (places.points.row(i) - image.row(i)).norm() > slack;
       points.row(i) = isOff ? places.points.row(i) : image.row(i);
     }
+  }
+  for (const FixedNode& node : borders)
+  {
+    points.row(node.point) = node.position;
   }
   for (const FixedNode& node : boundary)
   {

@@ -18,12 +18,15 @@ namespace hexsweep
  * @param source   quads of the source cap.
  * @param map      of the source cap to the target cap, see findAffineSweep().
  * @param boundary all boundary nodes of the quads; they come out exactly where it says.
+ * @param borders  inner nodes that belong on borders of the target's faces; they come out there
+ * too.
  * @param target   consistently oriented.
  * @param singlePrecision round the points to float before they are judged.
  * @return with quads, quality and fixedCorners filled.
  */
 SweepProjection projectToImage(const QuadMesh& source, const AffineMap& map,
-  const std::vector<FixedNode>& boundary, const TriangleMesh& target, bool singlePrecision);
+  const std::vector<FixedNode>& boundary, const std::vector<FixedNode>& borders,
+  const TriangleMesh& target, bool singlePrecision);
 }
 
 #endif

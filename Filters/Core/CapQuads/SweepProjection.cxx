@@ -113,6 +113,14 @@ Boundary placeBoundary(
   return boundary;
 }
 
+/// All nodes that are not the projection's to place.
+std::vector<FixedNode> placedNodes(const SweepProjectionInput& input, const Boundary& boundary)
+{
+  std::vector<FixedNode> nodes = input.borders;
+  nodes.insert(nodes.end(), boundary.nodes.begin(), boundary.nodes.end());
+  return nodes;
+}
+
 /// Every boundary node of one disk must be one of the other, in the same place.
 void checkSameBoundary(const CapDisk& source, const CapDisk& target)
 {
@@ -238,6 +246,11 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   {
     fixed[static_cast<std::size_t>(node.point)] = true;
   }
+  std::vector<bool> still = fixed;
+  for (const FixedNode& node : input.borders)
+  {
+    still[static_cast<std::size_t>(node.point)] = true;
+  }
   const auto judge = [&] {
     if (input.singlePrecision)
     {
@@ -258,7 +271,8 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   {
     Points harmonic = std::move(result.quads.points);
     result.quads.points = projectAffinely(input.source.points,
-      usedPoints(input.source.quads, input.source.points.rows()), boundary.nodes, outer, target)
+      usedPoints(input.source.quads, input.source.points.rows()), placedNodes(input, boundary),
+      outer, target)
                             .points;
     judge();
     if (result.quality.inverted == 0)
@@ -268,7 +282,7 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
     result.quads.points = std::move(harmonic);
   }
   const CapCorners corners(
-    input.source.quads, fixed, target, boundary.columns, result.quads.points);
+    input.source.quads, still, target, boundary.columns, result.quads.points);
   if (input.ensureValid)
   {
     ImprovedQuads untangled = untangleQuads(
@@ -348,7 +362,8 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
   }
   if (input.method == ProjectionMethod::AffineLeastSquares)
   {
-    result.quads = projectAffinely(input.source.points, used, boundary.nodes, outer, target.mesh(),
+    result.quads = projectAffinely(input.source.points, used, placedNodes(input, boundary), outer,
+      target.mesh(),
       progressPart(progress, 0.05, 0.7));
   }
   else
@@ -363,8 +378,8 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
     {
       mapCaps(input, topology.loops, target, boundary, progressPart(progress, 0.05, 0.6), result);
     }
-    result.quads = projectThroughDisks(input.source.points, used, boundary.nodes, *result.source,
-      *result.target, progressPart(progress, 0.6, 0.7));
+    result.quads = projectThroughDisks(input.source.points, used, placedNodes(input, boundary),
+      *result.source, *result.target, progressPart(progress, 0.6, 0.7));
   }
   // The triangulation of the map, also where it was made here: given maps must give the same bits.
   improve(result, input, boundary, outer, result.target ? result.target->mesh : target.mesh(),

@@ -36,6 +36,8 @@ struct SweepProjectionInput
   /// Disk maps of both caps that were made before, to be used as they are.
   std::optional<CapDisk> sourceDisk;
   std::optional<CapDisk> targetDisk;
+  /// Inner nodes of the quads that belong at certain places of the target, and stay there.
+  std::vector<FixedNode> borders;
   ProjectionMethod method = ProjectionMethod::Harmonic;
   Weights weights = Weights::Cotangent;
   TriangulationImprovement improvement = TriangulationImprovement::Automatic; ///< of both caps

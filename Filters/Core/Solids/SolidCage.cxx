@@ -15,8 +15,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace hexsweep
 {
@@ -24,6 +26,12 @@ namespace
 {
 /// Source quads this far from the source cap (of the cap's diameter) are another cap's.
 constexpr double FarFromCap = 0.05;
+/// Of the edges beside it: a column's end does not go further to the end of a border.
+constexpr double MostPinned = 0.25;
+/// Of a turn between edges: columns that end at corners of the target's loop stay there.
+constexpr double CornerCosine = 0.86;
+/// Of the quads: more that the projection inverts are not untangled between fixed borders.
+constexpr double MostInverted = 0.01;
 
 std::size_t at(Index i)
 {
@@ -153,6 +161,45 @@ std::optional<AffineSweep> affineSweepOf(const SolidCageInput& input)
   return findAffineSweep(input.solid, input.topology);
 }
 
+/**
+ * Columns end where the borders of the target's faces do.
+ *
+ * @return the nodes that lie on no loop.
+ */
+std::vector<FixedNode> pinColumns(const std::vector<FixedNode>& imprinted, RingStack& rings)
+{
+  std::map<Index, std::pair<std::size_t, Index>> columnOf;
+  for (std::size_t l = 0; l < rings.loops.size(); ++l)
+  {
+    for (std::size_t j = 0; j < rings.loops[l].size(); ++j)
+    {
+      columnOf[rings.loops[l][j]] = { l, static_cast<Index>(j) };
+    }
+  }
+  std::vector<FixedNode> inner;
+  for (const FixedNode& node : imprinted)
+  {
+    const auto column = columnOf.find(node.point);
+    if (column == columnOf.end())
+    {
+      inner.push_back(node);
+      continue;
+    }
+    const auto& [l, j] = column->second;
+    const Index n = static_cast<Index>(rings.loops[l].size());
+    const auto last = rings.tables[l].row(rings.numberOfLayers());
+    const Eigen::RowVector3d here = rings.points.row(last[j]);
+    const Eigen::RowVector3d in = here - rings.points.row(last[(j + n - 1) % n]);
+    const Eigen::RowVector3d out = rings.points.row(last[(j + 1) % n]) - here;
+    const bool isCorner = in.dot(out) < CornerCosine * in.norm() * out.norm();
+    if (!isCorner && (node.position - here).norm() < MostPinned * std::min(in.norm(), out.norm()))
+    {
+      rings.points.row(last[j]) = node.position;
+    }
+  }
+  return inner;
+}
+
 /// Target quads as image of the source quads, straight columns. @return whether all quads are
 /// valid.
 bool sweepToImage(const SolidCageInput& input, const AffineSweep& image, const TriangleMesh& target,
@@ -161,6 +208,7 @@ bool sweepToImage(const SolidCageInput& input, const AffineSweep& image, const T
   cage.linking = meshRuledSides(input.source.points, cage.loops, linkingSides(input), input.layers,
     image.map, progressPart(progress, 0.0, 0.4));
   stages.finish("Linking sides");
+  const std::vector<FixedNode> borders = pinColumns(input.imprinted, cage.linking.rings);
   const RingStack& rings = cage.linking.rings;
   std::vector<FixedNode> boundary;
   for (std::size_t l = 0; l < cage.loops.size(); ++l)
@@ -172,7 +220,7 @@ bool sweepToImage(const SolidCageInput& input, const AffineSweep& image, const T
     }
   }
   cage.projection =
-    projectToImage(input.source, image.map, boundary, target, input.singlePrecision);
+    projectToImage(input.source, image.map, boundary, borders, target, input.singlePrecision);
   stages.finish("Target quads");
   return cage.projection.quality.inverted == 0;
 }
@@ -198,6 +246,42 @@ BoundaryMismatch sourceMismatch(
   return boundaryMismatch(source.mesh.points, loops, rings, input.matchTolerance);
 }
 
+/// Nodes stay on the target's borders unless quads would be inverted for it.
+SweepProjection projectWithBorders(
+  SweepProjectionInput input, const Progress& progress, bool& leftBorders)
+{
+  const bool ensureValid = std::exchange(input.ensureValid, false);
+  const bool improveQuality = std::exchange(input.improveQuality, false);
+  const SweepProjection first = projectSweep(input, progressPart(progress, 0.0, 0.5));
+  const double inverted = static_cast<double>(first.quality.inverted);
+  if (input.method == ProjectionMethod::Harmonic)
+  {
+    input.sourceDisk = first.source;
+    input.targetDisk = first.target;
+  }
+  input.ensureValid = ensureValid;
+  input.improveQuality = improveQuality;
+  const auto again = [&](const Progress& part) {
+    SweepProjection result = projectSweep(input, part);
+    result.sourceMismatch = first.sourceMismatch;
+    result.targetMismatch = first.targetMismatch;
+    return result;
+  };
+  std::optional<SweepProjection> held;
+  if (inverted <= MostInverted * static_cast<double>(input.source.quads.rows()))
+  {
+    held = again(progressPart(progress, 0.5, 0.75));
+    if (held->quality.inverted == 0)
+    {
+      return *std::move(held);
+    }
+  }
+  input.borders.clear();
+  SweepProjection free = again(progressPart(progress, 0.75, 1.0));
+  leftBorders = !held || free.quality.inverted < held->quality.inverted;
+  return leftBorders ? std::move(free) : *std::move(held);
+}
+
 void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
   const TriangleMesh& target, const Progress& progress, StageClock& stages, SolidCage& cage)
 {
@@ -207,7 +291,6 @@ void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
   SweepProjectionInput projection;
   projection.source = input.source;
   projection.target = target;
-  projection.linking = cage.linking.rings;
   projection.sourceSurface = source;
   projection.matchTolerance = input.matchTolerance;
   projection.singlePrecision = input.singlePrecision;
@@ -216,7 +299,11 @@ void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
   projection.method = input.method;
   projection.weights = input.weights;
   projection.improvement = input.improvement;
-  cage.projection = projectSweep(projection, progressPart(progress, 0.4, 1.0));
+  projection.borders = pinColumns(input.imprinted, cage.linking.rings);
+  projection.linking = cage.linking.rings;
+  cage.projection = projection.borders.empty()
+    ? projectSweep(projection, progressPart(progress, 0.4, 1.0))
+    : projectWithBorders(std::move(projection), progressPart(progress, 0.4, 1.0), cage.leftBorders);
   stages.finish("Target quads");
 }
 }

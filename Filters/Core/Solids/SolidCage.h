@@ -31,6 +31,7 @@ struct SolidCageInput
   ProjectionMethod method = ProjectionMethod::Harmonic;
   Weights weights = Weights::Cotangent;
   TriangulationImprovement improvement = TriangulationImprovement::Automatic;
+  std::vector<FixedNode> imprinted = {}; ///< see SourceQuads::imprinted
 };
 
 struct SolidCage : SweepCage
@@ -39,6 +40,9 @@ struct SolidCage : SweepCage
   LinkingMesh linking;           ///< see meshLinkingSides()
   SweepProjection projection;    ///< see projectSweep()
   double greatestDistance = 0.0; ///< of a source point from the source cap
+  /// Whether nodes had to leave the target's borders (see SolidCageInput::imprinted), or quads
+  /// would be inverted.
+  bool leftBorders = false;
   std::vector<Stage> stages;
 };
 

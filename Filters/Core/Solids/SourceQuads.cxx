@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/SourceQuads.h"
 
+#include "Core/CapQuads/CapCurves.h"
 #include "Core/CapQuads/CapMeshing.h"
+#include "Core/CapQuads/CurveDivision.h"
 #include "Core/Common/Constants.h"
+#include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/LoopGeometry.h"
+#include "Core/Solids/AffineSweep.h"
+#include "Core/Solids/SolidCage.h"
+#include "Core/Solids/SolidMessages.h"
+#include "Core/Solids/TargetImprint.h"
+#include "Core/Surfaces/FaceSides.h"
 #include "Core/Surfaces/SurfacePart.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace hexsweep
 {
@@ -20,6 +32,16 @@ namespace
 /// Quads that are much smaller than the facets of a curve are bent at the facets' corners: the
 /// shortest default edge, in facets.
 constexpr double QuadsOnFacet = 0.5;
+/// Of the quads' edges: borders of the source and the target that are nearer to each other are one.
+constexpr double ImprintSnap = 0.02;
+/// The same where harmonic maps carry the borders, which take no curve quite to its like.
+constexpr double HarmonicSnap = 0.15;
+/// Of the edges that are wanted on curves: more are too many.
+constexpr double MostCrowded = 4.0;
+/// Of the quads: where the projection inverts more, borders are no help.
+constexpr double MostInverted = 0.01;
+/// Pieces of the target's borders are mapped by their ends where the map bends them.
+constexpr double PieceOfQuad = 0.5;
 
 /// Facets that stand for curves of the source cap.
 struct CurveFacets
@@ -137,22 +159,26 @@ std::vector<std::pair<Index, Index>> meshedEdges(
   return edges;
 }
 
-SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
-  const SweepTopology& topology, double size, const Progress& progress)
+namespace
 {
-  if (!(size >= 0.0) || !std::isfinite(size))
-  {
-    throw InvalidInput("the quad size is not a length. Set QuadSize to a positive length, or to 0 "
-                       "for a size that fits the source cap.");
-  }
-  const SurfacePart part = surfacePart(solid.points, solid.triangles, topology.sourceTriangles);
-  const TriangleMesh& cap = part.mesh;
+/// What is to be meshed.
+struct CapToMesh
+{
+  TriangleMesh cap;
   std::vector<Index> faceIds;
+  CapQuadOptions options;
+};
+
+CapToMesh capToMesh(
+  const SolidInput& input, const SolidSurface& solid, const SweepTopology& topology, double size)
+{
+  SurfacePart part = surfacePart(solid.points, solid.triangles, topology.sourceTriangles);
+  CapToMesh result;
   for (const Index row : topology.sourceTriangles)
   {
-    faceIds.push_back(solid.faceIds[static_cast<std::size_t>(row)]);
+    result.faceIds.push_back(solid.faceIds[static_cast<std::size_t>(row)]);
   }
-  CapQuadOptions options;
+  CapQuadOptions& options = result.options;
   const std::vector<Index> starts = edgeStarts(solid, topology);
   for (const Index point : starts)
   {
@@ -164,16 +190,248 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
     options.keepEdges.emplace_back(part.idOf(from), part.idOf(to));
     keptLength += (solid.points.row(from) - solid.points.row(to)).norm();
   }
-  options.size = size > 0.0 ? size
-    : options.keepEdges.empty()
-    ? std::max(defaultQuadSize(cap), QuadsOnFacet * curveFacets(solid, topology, starts).length)
-    : keptLength / static_cast<double>(options.keepEdges.size());
+  result.cap = std::move(part.mesh);
+  options.size = size > 0.0     ? size
+    : options.keepEdges.empty() ? std::max(defaultQuadSize(result.cap),
+                                    QuadsOnFacet * curveFacets(solid, topology, starts).length)
+                                : keptLength / static_cast<double>(options.keepEdges.size());
+  return result;
+}
+
+/// How many of the edges to keep are edges of the quads.
+std::size_t keptEdges(const CapToMesh& cap, const QuadMesh& quads)
+{
+  using Place = std::array<double, 3>;
+  const auto edgeOf = [](const Points& points, Index a, Index b) {
+    const Place p{ points(a, 0), points(a, 1), points(a, 2) };
+    const Place q{ points(b, 0), points(b, 1), points(b, 2) };
+    return std::make_pair(std::min(p, q), std::max(p, q));
+  };
+  std::set<std::pair<Place, Place>> outer;
+  const std::vector<FaceSide> sides = sortedSides(quads.quads, quads.points.rows());
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    if (last - first == 1)
+    {
+      outer.insert(edgeOf(quads.points, sides[first].low, sides[first].high));
+    }
+  });
+  std::size_t count = 0;
+  for (const auto& [from, to] : cap.options.keepEdges)
+  {
+    count += outer.count(edgeOf(cap.cap.points, from, to));
+  }
+  return count;
+}
+
+SourceQuads sourceQuadsOf(CapQuads made, double size)
+{
   SourceQuads result;
-  CapQuads made = meshCapWithQuads(cap, faceIds, options, progress);
   result.mesh = std::move(made.mesh);
   result.inverted = made.inverted;
-  result.size = options.size;
+  result.size = size;
   return result;
+}
+
+FacedCap targetCap(const SolidSurface& solid, const SweepTopology& topology)
+{
+  FacedCap target;
+  target.surface = surfacePart(solid.points, solid.triangles, topology.targetTriangles).mesh;
+  for (const Index row : topology.targetTriangles)
+  {
+    target.faceIds.push_back(solid.faceIds[static_cast<std::size_t>(row)]);
+  }
+  return target;
+}
+
+std::string notKept(const SweepTopology& topology, const std::string& why)
+{
+  return "the borders between the target's " + listFaces(topology.targetFaceIds) +
+    " are no edges of the quads, some of which lie on two of these faces: " + why;
+}
+
+/// How many edges the mesher puts on the curves of a cap.
+double edgesOnCurves(
+  const TriangleMesh& cap, const std::vector<Index>& faceIds, const CapQuadOptions& options)
+{
+  const std::vector<Loop> loops = checkSurface(cap.triangles, cap.points.rows(), "cap").loops;
+  const std::vector<CapCurve> curves =
+    traceCapCurves(cap, loops, faceIds, options.keep, options.size);
+  double edges = 0.0;
+  for (const std::vector<double>& curve : divideCapCurves(cap, curves, 2.0 * options.size))
+  {
+    edges += static_cast<double>(curve.size() - 1);
+  }
+  return edges;
+}
+
+/// Whether the borders run so near to others that edges along them would have to be much shorter
+/// than they are wanted.
+bool isCrowded(const CapToMesh& cap, const TargetImprint& imprint, const CapQuadOptions& options)
+{
+  double wanted = edgesOnCurves(cap.cap, cap.faceIds, cap.options);
+  for (const ImprintedEdge& edge : imprint.cap.edges)
+  {
+    const Points& points = imprint.cap.mesh.points;
+    wanted += (points.row(edge.ends.first) - points.row(edge.ends.second)).norm() / options.size;
+  }
+  // Corners take edges of their own.
+  wanted += 2.0 * static_cast<double>(imprint.ends.size());
+  return edgesOnCurves(imprint.cap.mesh, imprint.labels, options) > MostCrowded * wanted;
+}
+
+/// Quads that keep the borders of the target too, or a warning that says why there are none.
+SourceQuads imprintedQuads(const CapToMesh& cap, const SweepTopology& topology,
+  const FacedCap& target, const CapMaps& maps, double longest, const Progress& progress)
+{
+  const double size = cap.options.size;
+  SourceQuads none;
+  const std::optional<TargetImprint> imprint =
+    imprintTarget({ cap.cap, cap.faceIds, cap.options.keep, cap.options.keepEdges,
+                    (longest > 0.0 ? HarmonicSnap : ImprintSnap) * size },
+      target, maps, size, longest);
+  if (!imprint)
+  {
+    none.imprintWarning = notKept(topology, "they find no way over the source cap.");
+    return none;
+  }
+  CapQuadOptions options = cap.options;
+  const std::vector<Index> ends = imprint->keep();
+  options.keep.insert(options.keep.end(), ends.begin(), ends.end());
+  try
+  {
+    if (isCrowded(cap, *imprint, options))
+    {
+      none.imprintWarning = notKept(topology,
+        "they run so near to each other or to other curves that edges along them would be much "
+        "shorter than " +
+          describe(size) + ". Set QuadSize to a smaller length.");
+      return none;
+    }
+    CapQuads made = meshCapWithQuads(imprint->cap.mesh, imprint->labels, options, progress);
+    const auto first = static_cast<std::ptrdiff_t>(cap.options.keep.size());
+    const std::vector<Index> endNodes(made.keptNodes.begin() + first, made.keptNodes.end());
+    std::vector<FixedNode> nodes = nodesOnBorders(*imprint, made, endNodes, maps);
+    SourceQuads result = sourceQuadsOf(std::move(made), size);
+    result.imprinted = std::move(nodes);
+    if (!imprint->hiddenFaces.empty())
+    {
+      result.imprintWarning = "no quads of their own are on " + listFaces(imprint->hiddenFaces) +
+        " of the target: quads of size " + describe(size) +
+        " are too large there. Set QuadSize to a smaller length.";
+    }
+    return result;
+  }
+  catch (const InvalidInput& error)
+  {
+    none.imprintWarning = notKept(topology, error.what());
+    return none;
+  }
+}
+}
+
+namespace
+{
+/// The quads with the target's borders, unless those without are better.
+SourceQuads betterOf(
+  const CapToMesh& cap, const SweepTopology& topology, SourceQuads imprinted, SourceQuads plain)
+{
+  if (imprinted.mesh.quads.rows() == 0)
+  {
+    plain.imprintWarning = imprinted.imprintWarning;
+    return plain;
+  }
+  if (imprinted.inverted > plain.inverted)
+  {
+    plain.imprintWarning = notKept(topology,
+      std::to_string(imprinted.inverted) +
+        " quads along them would be inverted. Set QuadSize to a smaller length.");
+    return plain;
+  }
+  if (keptEdges(cap, imprinted.mesh) < keptEdges(cap, plain.mesh))
+  {
+    plain.imprintWarning =
+      notKept(topology, "they would take away edges at which quads of the sides begin.");
+    return plain;
+  }
+  return imprinted;
+}
+
+/// The caps' disk maps, tied by one layer of columns that begin at these quads; nothing where that
+/// fails, which the sweep itself will tell.
+std::optional<SweepProjection> firstProjection(
+  const SolidSurface& solid, const SweepTopology& topology, const QuadMesh& quads)
+{
+  SolidCageInput input{ solid, topology, quads, {}, {} };
+  input.layers.layers = 1;
+  input.ensureValid = false;
+  input.improveQuality = false;
+  try
+  {
+    SolidCage cage = makeSolidCage(input);
+    return cage.projection.source && cage.projection.target
+      ? std::optional<SweepProjection>(std::move(cage.projection))
+      : std::nullopt;
+  }
+  catch (const InvalidInput&)
+  {
+    return std::nullopt;
+  }
+  catch (const SolverFailure&)
+  {
+    return std::nullopt;
+  }
+}
+}
+
+SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
+  const SweepTopology& topology, double size, const Progress& progress)
+{
+  if (!(size >= 0.0) || !std::isfinite(size))
+  {
+    throw InvalidInput("the quad size is not a length. Set QuadSize to a positive length, or to 0 "
+                       "for a size that fits the source cap.");
+  }
+  const CapToMesh cap = capToMesh(input, solid, topology, size);
+  const auto plainQuads = [&](const Progress& part) {
+    return sourceQuadsOf(
+      meshCapWithQuads(cap.cap, cap.faceIds, cap.options, part), cap.options.size);
+  };
+  if (topology.targetFaceIds.size() < 2)
+  {
+    return plainQuads(progress);
+  }
+  const FacedCap target = targetCap(solid, topology);
+  const Progress first = progressPart(progress, 0.0, 0.5);
+  const Progress second = progressPart(progress, 0.5, 1.0);
+  if (const std::optional<AffineSweep> affine = findAffineSweep(solid, topology))
+  {
+    const AffineMap back = inverse(affine->map);
+    const CapMaps maps{ [&](const PointsRef& points) { return affine->map.apply(points); },
+      [&](const PointsRef& points) { return back.apply(points); } };
+    SourceQuads imprinted = imprintedQuads(cap, topology, target, maps, 0.0, first);
+    const bool isPlain =
+      imprinted.mesh.quads.rows() > 0 && imprinted.inverted == 0 && cap.options.keepEdges.empty();
+    return isPlain ? imprinted : betterOf(cap, topology, std::move(imprinted), plainQuads(second));
+  }
+  SourceQuads plain = plainQuads(first);
+  const std::optional<SweepProjection> disks = firstProjection(solid, topology, plain.mesh);
+  if (!disks)
+  {
+    return plain;
+  }
+  if (static_cast<double>(disks->quality.inverted) >
+    MostInverted * static_cast<double>(plain.mesh.quads.rows()))
+  {
+    plain.imprintWarning = notKept(topology,
+      "the caps differ so much that " + std::to_string(disks->quality.inverted) +
+        " quads are inverted on the way to the target, and with fixed borders they could not be "
+        "mended.");
+    return plain;
+  }
+  const CapMaps maps = mapsThroughDisks(*disks->source, *disks->target);
+  SourceQuads imprinted =
+    imprintedQuads(cap, topology, target, maps, PieceOfQuad * cap.options.size, second);
+  return betterOf(cap, topology, std::move(imprinted), std::move(plain));
 }
 
 double greatestFacetTurn(const SolidSurface& solid, const SweepTopology& topology)

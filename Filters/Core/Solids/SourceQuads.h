@@ -6,9 +6,11 @@
 #ifndef hexsweep_SourceQuads_h
 #define hexsweep_SourceQuads_h
 
+#include "Core/CapQuads/QuadProjection.h"
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepTopology.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,11 +21,22 @@ struct SourceQuads
   QuadMesh mesh;      ///< outward
   Index inverted = 0; ///< of these quads
   double size = 0.0;  ///< edge length that they were to have
+  /// Nodes on the borders between faces of the target, those on loops where borders end included,
+  /// and where they belong on the target.
+  std::vector<FixedNode> imprinted;
+  /// Which borders of the target the quads do not keep, and why; empty: they keep all.
+  std::string imprintWarning;
 };
 
 /**
  * Meshes the source cap so that the quads fit the sides: borders between faces of the sides begin
  * at nodes, and edges at which quads of the sides begin are kept.
+ *
+ * Where the target consists of several faces and is an affine image of the source (see
+ * findAffineSweep()), the borders between them become edges of the quads like those between source
+ * faces. Borders of the two that are nearer to each other than a fiftieth of the quads, or than
+ * their facets explain, become one. Where this would invert quads, the target's borders are left
+ * out.
  *
  * @param input what `solid` was made from.
  * @param size  edge length; 0: that of the edges that are kept, else see defaultQuadSize(), no less

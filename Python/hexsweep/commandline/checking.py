@@ -55,10 +55,18 @@ def _exodus_difference(path, sets):
         (_grids(reader.GetOutput(), place), _grids(sets, part))
         for place, part in ((0, 0), (4, 1), (7, 2))
     )
-    for read, own in ((blocks, own_blocks), *others):
+    # The writer makes a block of each id in the one grid of the filter.
+    (own_block,) = own_blocks
+    objects = _values(own_block.GetCellData().GetArray("ObjectId"))
+    elements_of = {i: [cell for cell, of in enumerate(objects) if of == i] for i in sorted(set(objects))}
+    if [_cells(block) for block in blocks] != [len(cells) for cells in elements_of.values()]:
+        return "has other blocks or sets"
+    for read, own in others:
         if [_cells(grid) for grid in read] != [_cells(grid) for grid in own]:
             return "has other blocks or sets"
-    problems = [_block_difference(*pair) for pair in zip(blocks, own_blocks)]
+    problems = [
+        _block_difference(read, own_block, cells) for read, cells in zip(blocks, elements_of.values())
+    ]
     problems += [_set_difference(*pair) for sets in others for pair in zip(*sets)]
     return next(filter(None, problems), "")
 
@@ -75,27 +83,32 @@ def _set_difference(read, own):
     return ""
 
 
-def _block_difference(read, own):
-    """The reader gives elements in the order of the file, and renumbers the nodes."""
+def _block_difference(read, own, cells):
+    """The reader gives elements in the order of the file, and renumbers the nodes.
+    @param cells: those of `own` that are the block's."""
     nodes = [i - 1 for i in _values(read.GetPointData().GetArray("GlobalNodeId"))]
-    if [nodes[p] for p in _corners(read)] != list(_corners(own)):
+    corners = _corners(own)
+    used = [p for cell in cells for p in corners[8 * cell : 8 * cell + 8]]
+    if [nodes[p] for p in _corners(read)] != used:
         return "has other hexahedra"
-    if sorted(nodes) != list(range(own.GetNumberOfPoints())):
+    if sorted(nodes) != sorted(set(used)):
         return "has other nodes"
     # Coordinates are read in single precision.
     found, truth = (_values(_as(vtkFloatArray, g.GetPoints().GetData())) for g in (read, own))
     if any(found[3 * i : 3 * i + 3] != truth[3 * n : 3 * n + 3] for i, n in enumerate(nodes)):
         return "has other points"
-    for array in _arrays(own.GetPointData()):
-        found = read.GetPointData().GetArray(array.GetName())
-        values = _doubles(array)
-        if found and list(_doubles(found)) != [values[n] for n in nodes]:
-            return f"has other values of {array.GetName()}"
-    for array in _arrays(own.GetCellData()):
-        found = read.GetCellData().GetArray(array.GetName())
-        if found and _doubles(found) != _doubles(array):
-            return f"has other values of {array.GetName()}"
+    for kind, ids in (("GetPointData", nodes), ("GetCellData", cells)):
+        for array in _arrays(getattr(own, kind)()):
+            found = getattr(read, kind)().GetArray(array.GetName())
+            if found and list(_doubles(found)) != _tuples(array, ids):
+                return f"has other values of {array.GetName()}"
     return ""
+
+
+def _tuples(array, ids):
+    """Their components in turn."""
+    values, width = _doubles(array), array.GetNumberOfComponents()
+    return [x for i in ids for x in values[width * i : width * i + width]]
 
 
 def _grids(blocks, place):

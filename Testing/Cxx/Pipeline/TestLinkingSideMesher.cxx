@@ -2,6 +2,7 @@
 // The chain of single filters on the parts of CAD solids, beside the one filter for all.
 #include "SolidGrids.h"
 
+#include "Core/Solids/CanonicalSolid.h"
 #include "HexSweepArrays.h"
 
 #include <vtkCageHexInterior.h>
@@ -37,13 +38,72 @@ test::Grid facesOf(vtkUnstructuredGrid* solid, const std::vector<vtkIdType>& ids
   return part;
 }
 
+/// A solid as the one filter places and numbers it, and quads on it reflected alike.
+struct CanonicalGrids
+{
+  test::Grid solid = test::Grid::New();
+  test::Grid quads;
+
+  explicit CanonicalGrids(const CadSolid& cad)
+  {
+    const test::Grid given = test::solidGrid(cad.name);
+    hexsweep::SolidInput input;
+    input.points.resize(given->GetNumberOfPoints(), 3);
+    for (vtkIdType p = 0; p < given->GetNumberOfPoints(); ++p)
+    {
+      given->GetPoint(p, input.points.row(p).data());
+    }
+    input.triangles.resize(given->GetNumberOfCells(), 3);
+    for (vtkIdType c = 0; c < given->GetNumberOfCells(); ++c)
+    {
+      const test::Corners corners = test::cornersOf(given, c);
+      input.triangles.row(c) << corners[0], corners[1], corners[2];
+    }
+    const hexsweep::CanonicalSolid canonical = hexsweep::canonicalSolid(input);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (hexsweep::Index p = 0; p < canonical.input.points.rows(); ++p)
+    {
+      points->InsertNextPoint(canonical.input.points.row(p).data());
+    }
+    this->solid->SetPoints(points);
+    vtkNew<vtkIntArray> faceIds;
+    faceIds->SetName(hexsweep::arrays::FaceId);
+    for (hexsweep::Index t = 0; t < canonical.input.triangles.rows(); ++t)
+    {
+      const auto row = canonical.input.triangles.row(t);
+      const bool turned = canonical.reflection.turnsOver(); // outward, as the files are
+      const std::array<vtkIdType, 3> corners = { row[0], row[turned ? 2 : 1], row[turned ? 1 : 2] };
+      this->solid->InsertNextCell(VTK_TRIANGLE, 3, corners.data());
+      faceIds->InsertNextValue(
+        static_cast<int>(given->GetCellData()
+                           ->GetArray(hexsweep::arrays::FaceId)
+                           ->GetTuple1(canonical.input.cellIds[static_cast<std::size_t>(t)])));
+    }
+    this->solid->GetCellData()->AddArray(faceIds);
+    this->quads =
+      test::changedPoints(test::solidQuads(cad.name), [&](vtkIdType, std::array<double, 3>& p) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          p[axis] *= canonical.reflection.signs[static_cast<hexsweep::Index>(axis)];
+        }
+      });
+  }
+};
+
 struct Parts
 {
   test::Grid solid, quads, source, target, sides;
 
   explicit Parts(const CadSolid& cad)
-    : solid(test::solidGrid(cad.name))
-    , quads(test::solidQuads(cad.name))
+    : Parts(cad, CanonicalGrids(cad))
+  {
+  }
+
+private:
+  Parts(const CadSolid& cad, const CanonicalGrids& grids)
+    : solid(grids.solid)
+    , quads(grids.quads)
     , source(facesOf(solid, cad.source, true))
     , target(facesOf(solid, cad.target, true))
   {

@@ -47,6 +47,7 @@ void expectSameCaps(const test::SolidInput& input)
     {
       ids.push_back(graph.patches.ids[face]);
     }
+    std::sort(ids.begin(), ids.end());
     const std::optional<CapCandidate> found = hexsweep::makeCapCandidate(graph, faces);
     try
     {

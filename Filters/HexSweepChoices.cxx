@@ -3,6 +3,7 @@
 
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Interior/InteriorStarts.h"
 
 namespace hexsweep
 {
@@ -37,9 +38,7 @@ void checkPrecision(int value)
 
 void checkInteriorMethod(int value)
 {
-  checkChoice("Method", value,
-    { "Automatic", "Blend", "HarmonicCoordinates", "MeanValueCoordinates", "GreenCoordinates",
-      "LayerMarch", "AffineBoundaryError" });
+  checkChoice("Method", value, interiorMethodNames());
 }
 
 void checkFeatureAngle(double degrees)

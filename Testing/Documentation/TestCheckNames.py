@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from check_names import names_in, room_problems
+from check_names import header_problems, names_in, room_problems
 
 
 class CheckNames(unittest.TestCase):
@@ -37,6 +37,11 @@ class CheckNames(unittest.TestCase):
         self.assertEqual(room_problems(text, {"A": [], "B": ["A"]}), [])
         self.assertEqual(len(room_problems(text, {"A": [], "B": []})), 1)
         self.assertEqual(len(room_problems(text, {"A": [], "B": ["A"], "C": []})), 1)
+
+    def test_headers(self):
+        page = "| header | what |\n|---|---|\n| `A/B.h`, `A/C.h` | both |\n| `D/E.h` | one, see `F/G.h` |\n"
+        self.assertEqual(header_problems(page, "# comment\nA/B.h\nA/C.h\nD/E.h\n"), [])
+        self.assertEqual(len(header_problems(page, "A/B.h\nD/E.h\nX/Y.h\n")), 2)
 
 
 if __name__ == "__main__":

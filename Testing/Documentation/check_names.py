@@ -5,7 +5,8 @@
 
 Looked at are links to files and headings, and what stands in `code`: paths (from the top, or from
 Filters/Core: `Room/Unit`), and identifiers, which must occur in some source. In the Architecture page the
-column "may include" of the rooms must be what Testing/Rooms/check_rooms.py allows.
+column "may include" of the rooms must be what Testing/Rooms/check_rooms.py allows, in the Core page the
+headers those of Filters/Core/PublicHeaders.txt.
 """
 import re
 import sys
@@ -100,6 +101,18 @@ def room_problems(text, allowed):
     ]
 
 
+def header_problems(page, headers):
+    """Where the Core page's table of headers is not the list of those that are installed.
+
+    @param headers: text of PublicHeaders.txt."""
+    listed = {line for line in headers.splitlines() if line and not line.startswith("#")}
+    cells = re.findall(r"^\| (`\w+/\w+\.h`[^|]*) \|", page, re.M)
+    written = {name for cell in cells for name in re.findall(r"\w+/\w+\.h", cell)}
+    return [f"Core.md does not list the public header {name}" for name in sorted(listed - written)] + [
+        f"Core.md lists {name}, which PublicHeaders.txt lacks" for name in sorted(written - listed)
+    ]
+
+
 def problems_of(root):
     sys.path.insert(0, str(root / "Testing" / "Rooms"))
     from check_rooms import ALLOWED
@@ -110,7 +123,9 @@ def problems_of(root):
         page = root / name
         problems += names_in(page, page.read_text(encoding="utf-8"), root, words)
     architecture = (root / "Documentation" / "Architecture.md").read_text(encoding="utf-8")
-    return problems + room_problems(architecture, ALLOWED)
+    core = (root / "Documentation" / "Core.md").read_text(encoding="utf-8")
+    headers = (root / "Filters" / "Core" / "PublicHeaders.txt").read_text(encoding="utf-8")
+    return problems + room_problems(architecture, ALLOWED) + header_problems(core, headers)
 
 
 if __name__ == "__main__":

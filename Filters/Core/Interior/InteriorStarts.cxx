@@ -10,40 +10,66 @@
 #include "Core/Interior/MeanValueCoordinates.h"
 #include "Core/Interior/RuledInterior.h"
 
+#include <iterator>
+#include <string>
+
 namespace hexsweep
 {
+namespace
+{
+struct NamedMethod
+{
+  const char* name;
+  Points (*method)(const SweepCage&, const Progress&, const ParallelFor&); ///< nullptr: several
+};
+
+/// By InteriorKind.
+constexpr NamedMethod Methods[] = {
+  { "Automatic", nullptr },
+  { "Blend", blendInterior },
+  { "HarmonicCoordinates", harmonicInterior },
+  { "MeanValueCoordinates", meanValueInterior },
+  { "GreenCoordinates", greenInterior },
+  { "LayerMarch", layerMarchInterior },
+  { "AffineBoundaryError", boundaryErrorInterior },
+};
+constexpr int Count = static_cast<int>(std::size(Methods));
+
+std::vector<InteriorStart> automaticStarts(bool isRuled)
+{
+  std::vector<InteriorStart> starts;
+  if (isRuled)
+  {
+    starts.push_back({ "Ruled", ruledInterior, true });
+  }
+  starts.push_back({ "Blend", blendInterior });
+  starts.push_back({ "Blend with fading bulges", fadingBlendInterior });
+  starts.push_back({ "LayerMarch", layerMarchInterior });
+  return starts;
+}
+}
+
+std::vector<std::string> interiorMethodNames()
+{
+  std::vector<std::string> names;
+  for (const NamedMethod& method : Methods)
+  {
+    names.emplace_back(method.name);
+  }
+  return names;
+}
+
 std::vector<InteriorStart> interiorStarts(InteriorKind kind, bool isRuled)
 {
-  switch (kind)
+  const int number = static_cast<int>(kind);
+  if (number < 0 || number >= Count)
   {
-    case InteriorKind::Automatic:
-    {
-      std::vector<InteriorStart> starts;
-      if (isRuled)
-      {
-        starts.push_back({ "Ruled", ruledInterior, true });
-      }
-      starts.push_back({ "Blend", blendInterior });
-      starts.push_back({ "Blend with fading bulges", fadingBlendInterior });
-      starts.push_back({ "LayerMarch", layerMarchInterior });
-      return starts;
-    }
-    case InteriorKind::Blend:
-      return { { "Blend", blendInterior } };
-    case InteriorKind::HarmonicCoordinates:
-      return { { "HarmonicCoordinates", harmonicInterior } };
-    case InteriorKind::MeanValueCoordinates:
-      return { { "MeanValueCoordinates", meanValueInterior } };
-    case InteriorKind::GreenCoordinates:
-      return { { "GreenCoordinates", greenInterior } };
-    case InteriorKind::LayerMarch:
-      return { { "LayerMarch", layerMarchInterior } };
-    case InteriorKind::AffineBoundaryError:
-      return { { "AffineBoundaryError", boundaryErrorInterior } };
+    throw InvalidInput("Method " + std::to_string(number) + " does not exist. Methods go from 0 (" +
+      Methods[0].name + ") to " + std::to_string(Count - 1) + " (" + Methods[Count - 1].name +
+      ").");
   }
-  throw InvalidInput("Method " + std::to_string(static_cast<int>(kind)) +
-    " does not exist. Use AUTOMATIC (0), BLEND (1), HARMONIC_COORDINATES (2), "
-    "MEAN_VALUE_COORDINATES (3), GREEN_COORDINATES (4), LAYER_MARCH (5) or "
-    "AFFINE_BOUNDARY_ERROR (6).");
+  const NamedMethod& chosen = Methods[number];
+  return chosen.method ? std::vector<InteriorStart>{ { chosen.name, chosen.method } }
+                       : automaticStarts(isRuled);
 }
 }

@@ -8,11 +8,13 @@
 
 #include "Core/Interior/SweepInterior.h"
 
+#include <string>
 #include <vector>
 
 namespace hexsweep
 {
-/// The numbers are those of the filters' property Method.
+/// The numbers are those of the filters' property Method. A method is added here and to the table
+/// in the .cxx, with the same name.
 enum class InteriorKind : int
 {
   Automatic = 0, ///< Blend, Blend with fading bulges, LayerMarch: from cheap to strong
@@ -23,6 +25,9 @@ enum class InteriorKind : int
   LayerMarch = 5,
   AffineBoundaryError = 6
 };
+
+/// The names of the methods, by number.
+std::vector<std::string> interiorMethodNames();
 
 /// @param isRuled whether the cage is (SweepCage::isRuled): Automatic begins with its straight
 /// lines.

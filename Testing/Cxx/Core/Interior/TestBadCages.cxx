@@ -102,12 +102,16 @@ TEST(BadCalls, CagesWhosePartsDoNotBelongTogether)
 
 TEST(BadCalls, MethodsThatDoNotExist)
 {
-  for (int kind = 0; kind < 7; ++kind)
+  const int count = static_cast<int>(hexsweep::interiorMethodNames().size());
+  for (int kind = 0; kind < count; ++kind)
   {
     EXPECT_FALSE(hexsweep::interiorStarts(static_cast<hexsweep::InteriorKind>(kind)).empty());
   }
-  expectRefused(
-    "Method 7", [] { hexsweep::interiorStarts(static_cast<hexsweep::InteriorKind>(7)); });
+  for (const int kind : { -1, count })
+  {
+    expectRefused("Method " + std::to_string(kind),
+      [&] { hexsweep::interiorStarts(static_cast<hexsweep::InteriorKind>(kind)); });
+  }
 }
 
 TEST(InteriorStarts, LentThreadsGiveTheSameBits)

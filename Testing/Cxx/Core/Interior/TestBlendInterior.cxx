@@ -46,10 +46,10 @@ TEST(BlendInterior, NearlyPlanarLoopsAreTame)
   test::expectNearlyPlanarLoopsTame(fadingBlendInterior);
 }
 
-TEST(BlendInterior, UnusedPointsGoStraight)
+TEST(BlendInterior, KeepsTheContract)
 {
-  test::expectUnusedPointsOnStraightLines(blendInterior);
-  test::expectUnusedPointsOnStraightLines(fadingBlendInterior);
+  test::expectInteriorContract(blendInterior);
+  test::expectInteriorContract(fadingBlendInterior);
 }
 
 TEST(BlendInterior, CorrectionIsTheHarmonicExtensionOfTheBoundaryError)

@@ -37,9 +37,9 @@ TEST(BoundaryErrorInterior, NearlyPlanarLoopsAreTame)
   test::expectNearlyPlanarLoopsTame(boundaryErrorInterior);
 }
 
-TEST(BoundaryErrorInterior, UnusedPointsGoStraight)
+TEST(BoundaryErrorInterior, KeepsTheContract)
 {
-  test::expectUnusedPointsOnStraightLines(boundaryErrorInterior);
+  test::expectInteriorContract(boundaryErrorInterior);
 }
 
 TEST(BoundaryErrorInterior, EqualsItsFormulaNodeByNode)

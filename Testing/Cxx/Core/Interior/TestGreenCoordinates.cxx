@@ -356,7 +356,7 @@ TEST(GreenInterior, IsTheSumOverCageAndNormals)
   }
 }
 
-TEST(GreenInterior, KeepsWhatEveryCageMethodKeeps)
+TEST(GreenInterior, KeepsTheContract)
 {
-  test::expectCageMethod(hexsweep::greenInterior);
+  test::expectInteriorContract(hexsweep::greenInterior);
 }

@@ -184,6 +184,7 @@ TEST(HarmonicInterior, StraightAffineSweepsAreExact)
 TEST(HarmonicInterior, BoundaryIsKeptBitForBit)
 {
   test::expectBoundaryBitForBit(hexsweep::harmonicInterior);
+  test::expectInteriorContract(hexsweep::harmonicInterior);
 }
 
 TEST(HarmonicInterior, UnusedPointsGoStraight)

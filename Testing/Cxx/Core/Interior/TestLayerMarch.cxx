@@ -106,9 +106,9 @@ TEST(LayerMarch, NearlyPlanarLoopsAreTame)
   test::expectNearlyPlanarLoopsTame(layerMarchInterior);
 }
 
-TEST(LayerMarch, UnusedPointsGoStraight)
+TEST(LayerMarch, KeepsTheContract)
 {
-  test::expectUnusedPointsOnStraightLines(layerMarchInterior);
+  test::expectInteriorContract(layerMarchInterior);
 }
 
 TEST(LayerMarch, HalfWayItIsTheMeanOfOneStepFromEitherCap)

@@ -214,7 +214,7 @@ TEST(MeanValueInterior, IsTheSumOverTheCage)
   }
 }
 
-TEST(MeanValueInterior, KeepsWhatEveryCageMethodKeeps)
+TEST(MeanValueInterior, KeepsTheContract)
 {
-  test::expectCageMethod(hexsweep::meanValueInterior);
+  test::expectInteriorContract(hexsweep::meanValueInterior);
 }

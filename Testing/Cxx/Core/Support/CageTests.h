@@ -39,9 +39,6 @@ Points rowsOf(const Points& points, const std::vector<Index>& rows);
 /// One affine map of a straight prism: shear, scale, rotation and stretch of the whole volume.
 Eigen::RowVector3d straightAffineMotion(double x, double y, double t);
 
-/// A regular grid of cubes with edges 2 / nx = 1 / ny; needs nx = 2 ny < 20 and L = layers.
-Motion cubesMotion(int nx, int layers);
-
 template <typename CageInterior>
 void expectStraightAffineSweepsExact(const CageInterior& interior, double tolerance)
 {
@@ -58,10 +55,6 @@ void expectStraightAffineSweepsExact(const CageInterior& interior, double tolera
     }
   }
 }
-
-/// Boundary bit for bit, unused points straight, the same bits in any order of the work, progress,
-/// aborts, no interior at all.
-void expectCageMethod(Interior interior);
 }
 
 #endif

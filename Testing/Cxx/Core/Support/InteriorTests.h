@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief What holds for every interior method: boundary bit for bit, affine sweeps exact.
+ * @brief What interior methods are held to: a contract for all, exactness for those that have it.
  */
 #ifndef InteriorTests_h
 #define InteriorTests_h
@@ -27,7 +27,15 @@ Points run(Interior interior, const Sweep& sweep);
 /// Diagonal of the sweep's box.
 double sizeOf(const Sweep& sweep);
 
-/// A planar cap, turned, sheared and stretched along an arc, with even and graded layers.
+/// A regular grid of cubes with edges 2 / nx = 1 / ny; needs nx = 2 ny < 20 and L = layers.
+Motion cubesMotion(int nx, int layers);
+
+/// What every method keeps to: boundary bit for bit, points that no quad uses on straight lines,
+/// the same bits in any order of the work, progress that rises, aborts, no interior at all.
+void expectInteriorContract(Interior interior);
+
+/// For methods that follow rings which turn. A planar cap, turned, sheared and stretched along an
+/// arc, with even and graded layers.
 void expectAffineSweepsExact(Interior interior);
 
 void expectAnySizeAnywhere(Interior interior);
@@ -42,8 +50,6 @@ void expectBoundaryBitForBit(Interior interior);
 
 /// Noise in the plane of the loops must not be blown up by a bulging cap.
 void expectNearlyPlanarLoopsTame(Interior interior);
-
-void expectUnusedPointsOnStraightLines(Interior interior);
 }
 
 #endif

@@ -48,8 +48,8 @@ TEST(BlendInterior, NearlyPlanarLoopsAreTame)
 
 TEST(BlendInterior, KeepsTheContract)
 {
-  test::expectInteriorContract(blendInterior);
-  test::expectInteriorContract(fadingBlendInterior);
+  test::expectInteriorContract(blendInterior, 1e-13);
+  test::expectInteriorContract(fadingBlendInterior, 1e-13);
 }
 
 TEST(BlendInterior, CorrectionIsTheHarmonicExtensionOfTheBoundaryError)

@@ -184,7 +184,7 @@ TEST(HarmonicInterior, StraightAffineSweepsAreExact)
 TEST(HarmonicInterior, BoundaryIsKeptBitForBit)
 {
   test::expectBoundaryBitForBit(hexsweep::harmonicInterior);
-  test::expectInteriorContract(hexsweep::harmonicInterior);
+  test::expectInteriorContract(hexsweep::harmonicInterior, 1e-13);
 }
 
 TEST(HarmonicInterior, UnusedPointsGoStraight)

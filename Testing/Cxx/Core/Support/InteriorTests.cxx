@@ -120,7 +120,7 @@ Motion cubesMotion(int nx, int layers)
   };
 }
 
-void expectInteriorContract(Interior interior)
+void expectInteriorContract(Interior interior, double rounding)
 {
   Sweep sweep = makeSweep(12, 9, true, evenLayers(6), bendingMotion);
   const Index n = sweep.source.rows();
@@ -169,7 +169,8 @@ void expectInteriorContract(Interior interior)
     const double t = boundary.fractions[static_cast<std::size_t>(k)];
     const Eigen::RowVector3d expected(10 + 4 * t, 20, 30 + 4 * t);
     EXPECT_LT((withUnused.row(k * (n + 1) + n) - expected).norm(), 1e-12);
-    EXPECT_EQ(withUnused.middleRows(k * (n + 1), n), swept.middleRows(k * n, n));
+    EXPECT_LE(greatestDistance(withUnused.middleRows(k * (n + 1), n), swept.middleRows(k * n, n)),
+      rounding);
   }
 
   // An upright step across both caps: the model slides along itself there, and points inside lie

@@ -32,7 +32,8 @@ Motion cubesMotion(int nx, int layers);
 
 /// What every method keeps to: boundary bit for bit, points that no quad uses on straight lines,
 /// the same bits in any order of the work, progress that rises, aborts, no interior at all.
-void expectInteriorContract(Interior interior);
+/// @param rounding how far points that no quad uses may move the others.
+void expectInteriorContract(Interior interior, double rounding = 0.0);
 
 /// For methods that follow rings which turn. A planar cap, turned, sheared and stretched along an
 /// arc, with even and graded layers.

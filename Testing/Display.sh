@@ -20,8 +20,9 @@ case $action in
     mkdir -p "$folder"
     stop
     # The server picks a free display number and writes it once it accepts clients. It must not
-    # keep the standard streams: the test driver waits until they are closed.
-    setsid Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp \
+    # keep the standard streams: the test driver waits until they are closed. It must not start anew
+    # whenever its last client leaves: the next one may come just then, and be turned away.
+    setsid Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp -noreset \
       3>"$folder/number" >/dev/null 2>&1 </dev/null &
     echo $! >"$folder/pid"
     tries=0

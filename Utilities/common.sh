@@ -34,8 +34,10 @@ configure_and_build() {
 start_display() {
   local number_file
   number_file=$(mktemp)
-  # Xvfb takes the first free display number itself and writes it to file descriptor 3.
-  Xvfb -displayfd 3 -screen 0 1920x1200x24 -nolisten tcp 3>"$number_file" >/dev/null 2>&1 &
+  # Xvfb takes the first free display number itself and writes it to file descriptor 3. Without
+  # -noreset it starts anew whenever its last client leaves, and turns away who comes just then.
+  Xvfb -displayfd 3 -screen 0 1920x1200x24 -nolisten tcp -noreset \
+    3>"$number_file" >/dev/null 2>&1 &
   display_pid=$!
   trap 'kill "$display_pid" 2>/dev/null || true' EXIT
   local tries=0

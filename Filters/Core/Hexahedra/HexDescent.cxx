@@ -343,7 +343,10 @@ private:
         }
       }
     }
-    this->Hessian.makeCompressed();
+    if (n > 0) // of a matrix without columns Eigen 3.4 reads the length of the first
+    {
+      this->Hessian.makeCompressed();
+    }
   }
 
   void findSlots(const NeighborLists& neighbors)

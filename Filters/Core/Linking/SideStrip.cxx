@@ -7,6 +7,7 @@
 #include "Core/Geometry/PlaneTriangleSearch.h"
 #include "Core/Linking/SideCut.h"
 #include "Core/Linking/SideFeatures.h"
+#include "Core/Linking/SteadyColumns.h"
 #include "Core/Solvers/DirichletSolver.h"
 #include "Core/Solvers/SurfaceLaplacian.h"
 #include "Core/Surfaces/EdgeHalving.h"
@@ -359,10 +360,12 @@ void placeFrame(SideStrip& strip, const CutTube& cut)
 }
 }
 
-SideStrip mapSideToStrip(const SideTube& side, double longestEdge)
+namespace
 {
-  SideStrip strip = refinedSide(side, longestEdge);
-  const CutTube cut = cutOpen(strip);
+/// Maps the side with the columns that it has. @return the tube that was cut open.
+CutTube fillStrip(SideStrip& strip)
+{
+  CutTube cut = cutOpen(strip);
   placeFrame(strip, cut);
   strip.planeTriangles = cut.mesh.triangles;
   strip.flipped = std::numeric_limits<Index>::max();
@@ -380,6 +383,31 @@ SideStrip mapSideToStrip(const SideTube& side, double longestEdge)
       break;
     }
   }
+  return cut;
+}
+
+/// (v, u) of each point of the side, without any CAD edge.
+PlanePoints freePlaces(SideStrip strip)
+{
+  strip.columns.clear();
+  const CutTube cut = fillStrip(strip);
+  PlanePoints places(strip.surface.points.rows(), 2);
+  for (Index i = 0; i < strip.plane.rows(); ++i)
+  {
+    places.row(cut.original[at(i)]) = strip.plane.row(i);
+  }
+  return places;
+}
+}
+
+SideStrip mapSideToStrip(const SideTube& side, double longestEdge)
+{
+  SideStrip strip = refinedSide(side, longestEdge);
+  if (!strip.columns.empty())
+  {
+    strip.columns = steadyColumns(strip.columns, freePlaces(strip));
+  }
+  fillStrip(strip);
   return strip;
 }
 

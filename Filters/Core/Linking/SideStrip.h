@@ -11,6 +11,7 @@
 
 #include "Core/Geometry/BoxTree.h"
 #include "Core/Geometry/PlaneTriangulation.h"
+#include "Core/Linking/StripColumn.h"
 
 #include <optional>
 
@@ -25,14 +26,6 @@ struct SideTube
   /// Parts that are meshed already, with structured quads from the source to the target loop, in
   /// the same place as their triangles in `surface`.
   std::vector<QuadMesh> patches;
-};
-
-/// A CAD edge that leads from the source loop to the target loop.
-struct StripColumn
-{
-  std::vector<Index> points; ///< from source to target
-  std::vector<double> u;     ///< of each point: the fraction of the edge's length, 0 ... 1
-  double v = 0.0;
 };
 
 /**

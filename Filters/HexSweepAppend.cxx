@@ -45,7 +45,10 @@ void appendReports(vtkFieldData* more, vtkFieldData* all)
     vtkAbstractArray* known = all->GetAbstractArray(name.c_str());
     if (!known)
     {
-      all->AddArray(array);
+      const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+      copy->DeepCopy(array);
+      copy->SetName(array->GetName());
+      all->AddArray(copy);
       continue;
     }
     known->InsertTuples(known->GetNumberOfTuples(), array->GetNumberOfTuples(), 0, array);

@@ -15,7 +15,7 @@ namespace hexsweep
 {
 namespace
 {
-std::vector<SolidBody> wantedBodies(std::vector<SolidBody> bodies, const std::vector<Index>& wanted)
+void checkWanted(const std::vector<SolidBody>& bodies, const std::vector<Index>& wanted)
 {
   std::vector<Index> ids;
   for (const SolidBody& body : bodies)
@@ -30,12 +30,28 @@ std::vector<SolidBody> wantedBodies(std::vector<SolidBody> bodies, const std::ve
         (ids.size() == 1 ? "volume " : "volumes ") + listIds(ids) + ".");
     }
   }
-  const auto isUnwanted = [&](const SolidBody& body) {
-    return !wanted.empty() &&
-      std::find(wanted.begin(), wanted.end(), body.volumeId) == wanted.end();
-  };
-  bodies.erase(std::remove_if(bodies.begin(), bodies.end(), isUnwanted), bodies.end());
-  return bodies;
+}
+
+/// @param several where one has a problem, the others may have none.
+ReadBody readBody(const SolidBody& body, bool several, const SolidOptions& options)
+{
+  ReadBody read;
+  read.volumeId = body.volumeId;
+  read.name = several ? "volume " + std::to_string(body.volumeId) : "";
+  read.solid = canonicalSolid(body.input);
+  try
+  {
+    read.surface = makeSolidSurface(read.solid.input, options);
+  }
+  catch (const InvalidInput& error)
+  {
+    read.problem = messageAbout(read, error.what());
+    if (!several)
+    {
+      throw InvalidInput(read.problem);
+    }
+  }
+  return read;
 }
 }
 
@@ -47,7 +63,7 @@ std::string messageAbout(const ReadBody& body, const std::string& text)
 
 std::vector<Index> facesOnBody(const ReadBody& body, const std::vector<Index>& faceIds)
 {
-  if (body.name.empty())
+  if (body.name.empty() || !body.problem.empty())
   {
     return faceIds;
   }
@@ -71,6 +87,17 @@ void checkNamedFaces(const std::vector<ReadBody>& bodies, const std::vector<Inde
   }
 }
 
+void checkAreSolids(const std::vector<ReadBody>& bodies)
+{
+  for (const ReadBody& body : bodies)
+  {
+    if (!body.problem.empty())
+    {
+      throw InvalidInput(body.problem);
+    }
+  }
+}
+
 SolidOptions solidOptions(double matchTolerance, double featureAngle)
 {
   checkFeatureAngle(featureAngle);
@@ -84,23 +111,26 @@ std::vector<ReadBody> readBodies(vtkDataSet* data, const std::string& faceIdArra
   const SolidOptions& options, const std::vector<Index>& wanted)
 {
   const SolidData solid = readSolid(data, faceIdArray);
-  std::vector<SolidBody> bodies = solidBodies(solid.surface, solid.volumeIds, options);
-  const bool several = bodies.size() > 1;
+  const std::vector<SolidBody> bodies = solidBodies(solid.surface, solid.volumeIds, options);
+  checkWanted(bodies, wanted);
   std::vector<ReadBody> result;
   SolidOptions own = options;
-  for (const SolidBody& body : wantedBodies(std::move(bodies), wanted))
+  for (const SolidBody& body : bodies)
   {
-    ReadBody read;
-    read.volumeId = body.volumeId;
-    read.name = several ? "volume " + std::to_string(body.volumeId) : "";
-    read.solid = canonicalSolid(body.input);
-    read.surface = aboutBody(read, [&] { return makeSolidSurface(read.solid.input, own); });
+    ReadBody read = readBody(body, bodies.size() > 1, own);
     if (read.surface.facesByAngle)
     {
       own.firstFaceId =
         *std::max_element(read.surface.faceIds.begin(), read.surface.faceIds.end()) + 1;
     }
-    result.push_back(std::move(read));
+    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), body.volumeId) != wanted.end())
+    {
+      result.push_back(std::move(read));
+    }
+  }
+  if (result.size() == 1 && !result.front().problem.empty())
+  {
+    throw InvalidInput(result.front().problem);
   }
   return result;
 }

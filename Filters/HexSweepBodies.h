@@ -23,7 +23,8 @@ struct ReadBody
   Index volumeId = 0;
   std::string name; ///< "volume 3"; empty where the solid is one body
   CanonicalSolid solid;
-  SolidSurface surface; ///< of `solid.input`
+  SolidSurface surface; ///< of `solid.input`; empty where there is a problem with it
+  std::string problem;  ///< of one among several bodies: why it is no solid; empty: it is one
 };
 
 /// A message about a body with its name, and its places as the user knows them.
@@ -53,6 +54,9 @@ std::vector<Index> facesOnBody(const ReadBody& body, const std::vector<Index>& f
 /// @throw InvalidInput when there are several bodies, and one of the faces is on none of them.
 void checkNamedFaces(const std::vector<ReadBody>& bodies, const std::vector<Index>& faceIds);
 
+/// @throw InvalidInput when one has a problem.
+void checkAreSolids(const std::vector<ReadBody>& bodies);
+
 /**
  * The tolerance and the angle (degrees) of a filter's properties.
  *
@@ -66,7 +70,8 @@ SolidOptions solidOptions(double matchTolerance, double featureAngle);
  * angle have ids that go on from body to body.
  *
  * @param wanted volume ids; empty: all.
- * @throw InvalidInput as these, and when no body has a wanted id.
+ * @throw InvalidInput as these, but for makeSolidSurface() where there are several bodies, and when
+ *        no body has a wanted id.
  */
 std::vector<ReadBody> readBodies(vtkDataSet* data, const std::string& faceIdArray,
   const SolidOptions& options, const std::vector<Index>& wanted = {});

@@ -89,6 +89,8 @@ std::vector<std::string> bestOfSweeps(const SweepChoice& choice, const Sweep& sw
 std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
   const SolidSweepSettings& settings, StageClock& stages, const Progress& progress, BodyMesh& mesh)
 {
+  SolidSweepSettings own = settings;
+  own.targetIsNamed = !named.targetFaceIds.empty();
   const SolidSurface& surface = solid.body.surface;
   const std::optional<QuadMesh> quads = readOptionalQuads(solid.sourceQuads, "source quads");
   if (quads && named.sourceFaceIds.empty())
@@ -101,8 +103,8 @@ std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
   reportProgress(progress, 0.03);
 
   const Sweep sweep = [&](const SweepTopology& topology, BodyMesh& made) {
-    return sweepSolid(solid, topology, settings, stages, progressPart(progress, 0.03, 1.0),
-      made.hexes, made.boundary);
+    return sweepSolid(
+      solid, topology, own, stages, progressPart(progress, 0.03, 1.0), made.hexes, made.boundary);
   };
   const std::vector<std::string> warnings =
     named.sourceFaceIds.empty() && named.targetFaceIds.empty()
@@ -156,6 +158,11 @@ std::vector<std::string> sweepSeveral(const BodiesToSweep& solid, const NamedCap
   for (std::size_t b = 0; b < solid.bodies.size(); ++b)
   {
     const ReadBody& body = solid.bodies[b];
+    if (!body.problem.empty())
+    {
+      problems.push_back(body.problem);
+      continue;
+    }
     const auto begin = static_cast<double>(b);
     const NamedCaps own{ facesOnBody(body, named.sourceFaceIds),
       facesOnBody(body, named.targetFaceIds) };

@@ -37,8 +37,8 @@ SourceCapQuads madeQuads(SourceQuads made)
 }
 }
 
-SourceCapQuads sourceQuads(
-  const SolidToSweep& solid, const SweepTopology& topology, double size, const Progress& progress)
+SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topology, double size,
+  const Progress& progress, bool withBorders)
 {
   SourceCapQuads result;
   const SolidInput& input = solid.body.solid.input;
@@ -59,6 +59,7 @@ SourceCapQuads sourceQuads(
     result.origin = "Solid";
     return result;
   }
-  return madeQuads(makeSourceQuads(input, solid.body.surface, topology, size, progress));
+  return madeQuads(
+    makeSourceQuads(input, solid.body.surface, topology, size, progress, withBorders));
 }
 }

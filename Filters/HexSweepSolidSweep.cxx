@@ -51,7 +51,7 @@ struct SizedQuads
 };
 
 SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
-  const SolidSweepSettings& settings, const Progress& progress)
+  const SolidSweepSettings& settings, bool withBorders, const Progress& progress)
 {
   if (!(settings.size >= 0.0) || !std::isfinite(settings.size))
   {
@@ -59,7 +59,9 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
       ". Set Size to a positive length, or to 0 for one that fits the solid.");
   }
   const double wanted = settings.quadSize != 0.0 ? settings.quadSize : settings.size;
-  const auto quadsOf = [&](double size) { return sourceQuads(solid, topology, size, progress); };
+  const auto quadsOf = [&](double size) {
+    return sourceQuads(solid, topology, size, progress, withBorders);
+  };
   SizedQuads result{ quadsOf(wanted), settings.layers, settings.size, 0.0 };
   double width = meanHexWidth(solid.body.surface, topology, result.quads.mesh);
   result.size = settings.size > 0.0 ? settings.size : width;
@@ -151,20 +153,33 @@ std::vector<std::string> advice(
   }
   return warnings;
 }
+
+SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
+  const SolidSweepSettings& settings, const SizedQuads& sized, const Progress& progress)
+{
+  const SolidCageInput input{ solid.body.surface, topology, sized.quads.mesh,
+    sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
+    settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
+    settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
+    settings.weights, settings.improvement, sized.quads.imprinted };
+  return makeSolidCage(input, progress);
+}
 }
 
 SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topology,
   const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
-  SizedQuads sized = sizedQuads(solid, topology, settings, progressPart(progress, 0.0, 0.1));
+  SizedQuads sized = sizedQuads(solid, topology, settings, true, progressPart(progress, 0.0, 0.1));
   stages.finish("Source quads");
-  SolidCageInput cageInput{ solid.body.surface, topology, std::move(sized.quads.mesh),
-    sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
-    settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
-    settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
-    settings.weights, settings.improvement, sized.quads.imprinted };
-  const SolidCage cage = makeSolidCage(cageInput, progressPart(progress, 0.1, 0.48));
+  SolidCage cage = cageOf(solid, topology, settings, sized, progressPart(progress, 0.1, 0.3));
+  if (cage.leftBorders)
+  {
+    // Quads that were made for the borders are worse than others, and now for nothing.
+    sized = sizedQuads(solid, topology, settings, false, progressPart(progress, 0.3, 0.35));
+    cage = cageOf(solid, topology, settings, sized, progressPart(progress, 0.35, 0.48));
+    cage.leftBorders = true;
+  }
   stages.finish(cage.stages);
   if (!settings.targetIsNamed)
   {

@@ -127,7 +127,6 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   settings.projection = projectionMethod("ProjectionMethod", this->ProjectionMethod);
   settings.weights = chosenWeights(this->Weights);
   settings.improvement = chosenImprovement(this->ImproveTriangulation);
-  settings.targetIsNamed = !this->TargetFaceIds.empty();
   settings.hexes.method = this->Method;
   settings.hexes.ensureValid = this->EnsureValid;
   settings.hexes.improveQuality = this->ImproveQuality;

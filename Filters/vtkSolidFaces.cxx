@@ -77,6 +77,7 @@ int vtkSolidFaces::RequestData(
     const std::vector<hexsweep::ReadBody> bodies =
       hexsweep::readBodies(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this),
         hexsweep::solidOptions(this->MatchTolerance, this->FeatureAngle));
+    hexsweep::checkAreSolids(bodies);
     vtkTable* table = vtkTable::GetData(outputs);
     addRows(bodies, table);
     hexsweep::addReport(table->GetFieldData(), hexsweep::reports::FacesByAngle,

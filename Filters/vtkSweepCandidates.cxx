@@ -132,6 +132,7 @@ int vtkSweepCandidates::RequestData(
     const std::vector<hexsweep::ReadBody> bodies =
       hexsweep::readBodies(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this),
         hexsweep::solidOptions(this->MatchTolerance, this->FeatureAngle));
+    hexsweep::checkAreSolids(bodies);
     const std::vector<hexsweep::Index> sources(
       this->SourceFaceIds.begin(), this->SourceFaceIds.end());
     hexsweep::checkNamedFaces(bodies, sources);

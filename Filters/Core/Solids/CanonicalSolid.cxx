@@ -8,6 +8,7 @@
 #include <cstring>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace hexsweep
 {
@@ -123,16 +124,6 @@ Reflection chooseReflection(const SolidInput& solid, const std::vector<Index>& u
   return best;
 }
 
-/// Used points by their coordinates.
-std::vector<Index> sortedPoints(const Points& points, std::vector<Index> used)
-{
-  std::stable_sort(used.begin(), used.end(), [&](Index a, Index b) {
-    return std::tie(points(a, 0), points(a, 1), points(a, 2)) <
-      std::tie(points(b, 0), points(b, 1), points(b, 2));
-  });
-  return used;
-}
-
 using Corners = std::array<Index, 3>;
 
 Corners rising(Corners corners)
@@ -146,6 +137,52 @@ Corners fromLowest(Corners corners)
 {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
+}
+
+bool areBefore(const Points& points, Index a, Index b)
+{
+  return std::tie(points(a, 0), points(a, 1), points(a, 2)) <
+    std::tie(points(b, 0), points(b, 1), points(b, 2));
+}
+
+/// Used points by their coordinates; those in one place by the triangles that use them, which go by
+/// the places of their corners.
+std::vector<Index> sortedPoints(
+  const Points& points, const Triangles& triangles, std::vector<Index> used)
+{
+  std::sort(used.begin(), used.end(), [&](Index a, Index b) { return areBefore(points, a, b); });
+  std::vector<Index> rank(static_cast<std::size_t>(points.rows()), -1);
+  for (std::size_t i = 0, place = 0; i < used.size(); ++i)
+  {
+    place += i > 0 && areBefore(points, used[i - 1], used[i]) ? 1 : 0;
+    rank[static_cast<std::size_t>(used[i])] = static_cast<Index>(place);
+  }
+  std::vector<std::pair<Corners, Index>> order; // ranks, triangle
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    Corners ranks{};
+    for (int c = 0; c < 3; ++c)
+    {
+      ranks[static_cast<std::size_t>(c)] = rank[static_cast<std::size_t>(triangles(t, c))];
+    }
+    order.emplace_back(rising(ranks), t);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Index> firstUse(rank.size(), -1);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      Index& first = firstUse[static_cast<std::size_t>(triangles(order[i].second, c))];
+      first = first < 0 ? static_cast<Index>(i) : first;
+    }
+  }
+  std::sort(used.begin(), used.end(), [&](Index a, Index b) {
+    const auto i = static_cast<std::size_t>(a);
+    const auto j = static_cast<std::size_t>(b);
+    return std::tie(rank[i], firstUse[i]) < std::tie(rank[j], firstUse[j]);
+  });
+  return used;
 }
 
 template <typename T>
@@ -174,7 +211,7 @@ CanonicalSolid canonicalSolid(const SolidInput& solid)
   CanonicalSolid result;
   result.reflection = chooseReflection(solid, used);
   const Points points = reflected(solid.points, result.reflection);
-  const std::vector<Index> pointOrder = sortedPoints(points, used);
+  const std::vector<Index> pointOrder = sortedPoints(points, solid.triangles, used);
   std::vector<Index> number(static_cast<std::size_t>(points.rows()), -1);
   SolidInput& input = result.input;
   input.points.resize(static_cast<Index>(pointOrder.size()), 3);

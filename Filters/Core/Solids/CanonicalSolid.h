@@ -24,8 +24,8 @@ struct CanonicalSolid
  * Each coordinate is given the sign that puts the mean of the points above the middle of their
  * extent; where the two are the same (within 1e-4 of it), the triangles' coordinates decide. So
  * two solids that are reflections of each other in coordinate planes become one and the same, bit
- * for bit, unless the solid is symmetric itself, and so do two numberings of one solid, where no
- * two points are in one place. Points that no triangle uses are left out.
+ * for bit, unless the solid is symmetric itself, and so do two numberings of one solid, also where
+ * each triangle has points of its own. Points that no triangle uses are left out.
  *
  * Costs O(n log n).
  *

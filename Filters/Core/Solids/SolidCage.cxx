@@ -32,6 +32,9 @@ constexpr double MostPinned = 0.25;
 constexpr double CornerCosine = 0.86;
 /// Of the quads: more that the projection inverts are not untangled between fixed borders.
 constexpr double MostInverted = 0.01;
+/// Scaled Jacobian of the quads beside borders that is good enough not to be compared with those
+/// that left them.
+constexpr double LeastHeld = 0.1;
 
 std::size_t at(Index i)
 {
@@ -271,14 +274,16 @@ SweepProjection projectWithBorders(
   if (inverted <= MostInverted * static_cast<double>(input.source.quads.rows()))
   {
     held = again(progressPart(progress, 0.5, 0.75));
-    if (held->quality.inverted == 0)
+    if (held->quality.inverted == 0 && held->quality.minimum >= LeastHeld)
     {
       return *std::move(held);
     }
   }
   input.borders.clear();
   SweepProjection free = again(progressPart(progress, 0.75, 1.0));
-  leftBorders = !held || free.quality.inverted < held->quality.inverted;
+  leftBorders = !held || free.quality.inverted < held->quality.inverted ||
+    (held->quality.inverted == 0 && free.quality.inverted == 0 &&
+      free.quality.minimum > 2.0 * held->quality.minimum);
   return leftBorders ? std::move(free) : *std::move(held);
 }
 

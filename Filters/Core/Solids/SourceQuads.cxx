@@ -38,6 +38,11 @@ constexpr double ImprintSnap = 0.02;
 constexpr double HarmonicSnap = 0.15;
 /// Of the edges that are wanted on curves: more are too many.
 constexpr double MostCrowded = 4.0;
+/// Quads with the target's borders over those without (which may be very few), and their least
+/// scaled Jacobians: with more, or less, the borders are not worth it.
+constexpr double MostQuads = 3.0;
+constexpr double FewQuads = 300.0;
+constexpr double LeastQuality = 0.05;
 /// Of the quads: where the projection inverts more, borders are no help.
 constexpr double MostInverted = 0.01;
 /// Pieces of the target's borders are mapped by their ends where the map bends them.
@@ -228,6 +233,7 @@ SourceQuads sourceQuadsOf(CapQuads made, double size)
   SourceQuads result;
   result.mesh = std::move(made.mesh);
   result.inverted = made.inverted;
+  result.least = made.minimumScaledJacobian;
   result.size = size;
   return result;
 }
@@ -347,6 +353,17 @@ SourceQuads betterOf(
         " quads along them would be inverted. Set QuadSize to a smaller length.");
     return plain;
   }
+  const auto count = static_cast<double>(imprinted.mesh.quads.rows());
+  if (count > MostQuads * std::max(FewQuads, static_cast<double>(plain.mesh.quads.rows())) ||
+    imprinted.least < LeastQuality * plain.least)
+  {
+    plain.imprintWarning = notKept(topology,
+      "quads along them would be much smaller or flatter than the others (" + describe(count) +
+        " quads in place of " + std::to_string(plain.mesh.quads.rows()) +
+        ", least scaled Jacobian " + describe(imprinted.least) + " in place of " +
+        describe(plain.least) + "). Set QuadSize to a smaller length.");
+    return plain;
+  }
   if (keptEdges(cap, imprinted.mesh) < keptEdges(cap, plain.mesh))
   {
     plain.imprintWarning =
@@ -384,7 +401,7 @@ std::optional<SweepProjection> firstProjection(
 }
 
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
-  const SweepTopology& topology, double size, const Progress& progress)
+  const SweepTopology& topology, double size, const Progress& progress, bool withBorders)
 {
   if (!(size >= 0.0) || !std::isfinite(size))
   {
@@ -396,7 +413,7 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
     return sourceQuadsOf(
       meshCapWithQuads(cap.cap, cap.faceIds, cap.options, part), cap.options.size);
   };
-  if (topology.targetFaceIds.size() < 2)
+  if (topology.targetFaceIds.size() < 2 || !withBorders)
   {
     return plainQuads(progress);
   }
@@ -409,9 +426,7 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
     const CapMaps maps{ [&](const PointsRef& points) { return affine->map.apply(points); },
       [&](const PointsRef& points) { return back.apply(points); } };
     SourceQuads imprinted = imprintedQuads(cap, topology, target, maps, 0.0, first);
-    const bool isPlain =
-      imprinted.mesh.quads.rows() > 0 && imprinted.inverted == 0 && cap.options.keepEdges.empty();
-    return isPlain ? imprinted : betterOf(cap, topology, std::move(imprinted), plainQuads(second));
+    return betterOf(cap, topology, std::move(imprinted), plainQuads(second));
   }
   SourceQuads plain = plainQuads(first);
   const std::optional<SweepProjection> disks = firstProjection(solid, topology, plain.mesh);

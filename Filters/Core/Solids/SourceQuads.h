@@ -20,6 +20,7 @@ struct SourceQuads
 {
   QuadMesh mesh;      ///< outward
   Index inverted = 0; ///< of these quads
+  double least = 0.0; ///< scaled Jacobian of these quads
   double size = 0.0;  ///< edge length that they were to have
   /// Nodes on the borders between faces of the target, those on loops where borders end included,
   /// and where they belong on the target.
@@ -45,7 +46,8 @@ struct SourceQuads
  * @throw Aborted.
  */
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
-  const SweepTopology& topology, double size, const Progress& progress = {});
+  const SweepTopology& topology, double size, const Progress& progress = {},
+  bool withBorders = true);
 
 /// Where the borders between the faces of linking sides begin: points of the solid on the loops of
 /// the source cap.

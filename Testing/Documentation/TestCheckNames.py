@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from check_names import header_problems, names_in, room_problems
+from check_names import cite_problems, header_problems, names_in, room_problems
 
 
 class CheckNames(unittest.TestCase):
@@ -42,6 +42,16 @@ class CheckNames(unittest.TestCase):
         page = "| header | what |\n|---|---|\n| `A/B.h`, `A/C.h` | both |\n| `D/E.h` | one, see `F/G.h` |\n"
         self.assertEqual(header_problems(page, "# comment\nA/B.h\nA/C.h\nD/E.h\n"), [])
         self.assertEqual(len(header_problems(page, "A/B.h\nD/E.h\nX/Y.h\n")), 2)
+
+    def test_citations(self):
+        bibliography = "% comment\n@article{A1999,\n  year = {1999}\n}\n\n@book{B2001,\n  year = {2001}\n}\n"
+        both = {"A.h": r"/** After \cite A1999, (\cite B2001). */", "B.h": r"/// See \cite B2001."}
+        self.assertEqual(cite_problems(both, bibliography), [])
+        self.assertEqual(cite_problems({"A.h": "/**\n * After \\cite\n * A1999, @cite B2001\n */"}, bibliography), [])
+        unknown = {**both, "C.h": r"/// \cite A1998"}
+        self.assertEqual(cite_problems(unknown, bibliography), ["C.h cites A1998, which references.bib lacks"])
+        unused = {"A.h": r"/// \cite A1999, and B2001 without"}
+        self.assertEqual(cite_problems(unused, bibliography), ["references.bib: nothing cites B2001"])
 
 
 if __name__ == "__main__":

@@ -6,7 +6,8 @@
 Looked at are links to files and headings, and what stands in `code`: paths (from the top, or from
 Filters/Core: `Room/Unit`), and identifiers, which must occur in some source. In the Architecture page the
 column "may include" of the rooms must be what Testing/Rooms/check_rooms.py allows, in the Core page the
-headers those of Filters/Core/PublicHeaders.txt.
+headers those of Filters/Core/PublicHeaders.txt. What the docstrings cite must be in
+Documentation/references.bib, and all that is there must be cited.
 """
 import re
 import sys
@@ -22,6 +23,8 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 PATH = re.compile(r"[\w.+-]+(/[\w.+*-]+)+/?")
 FILE = re.compile(r"[\w.-]+\.(h|cxx|py|sh|md|xml|txt|cff|json|bib|cmake|geo|vtu)")
 IDENTIFIER = re.compile(r"(?:[A-Za-z_]\w*::)*([A-Za-z_]\w+)(\(\))?")
+CITATION = re.compile(r"[\\@]cite[\s*/]+(\w+)")
+ENTRY = re.compile(r"^@\w+\{([^,\s]+),", re.M)
 # What the tree makes or takes but does not hold.
 MADE = ("build/", "paraview-")
 # VTK's, and names that stand for others.
@@ -113,6 +116,20 @@ def header_problems(page, headers):
     ]
 
 
+def cite_problems(sources, bibliography):
+    """The citations that have no entry, and the entries that nothing cites.
+
+    @param sources:      text of each source by its name.
+    @param bibliography: text of references.bib."""
+    entries = set(ENTRY.findall(bibliography))
+    cited = {(name, key) for name, text in sources.items() for key in CITATION.findall(text)}
+    unknown = sorted((name, key) for name, key in cited if key not in entries)
+    unused = sorted(entries - {key for _, key in cited})
+    return [f"{name} cites {key}, which references.bib lacks" for name, key in unknown] + [
+        f"references.bib: nothing cites {key}" for key in unused
+    ]
+
+
 def problems_of(root):
     sys.path.insert(0, str(root / "Testing" / "Rooms"))
     from check_rooms import ALLOWED
@@ -125,7 +142,14 @@ def problems_of(root):
     architecture = (root / "Documentation" / "Architecture.md").read_text(encoding="utf-8")
     core = (root / "Documentation" / "Core.md").read_text(encoding="utf-8")
     headers = (root / "Filters" / "Core" / "PublicHeaders.txt").read_text(encoding="utf-8")
-    return problems + room_problems(architecture, ALLOWED) + header_problems(core, headers)
+    problems += room_problems(architecture, ALLOWED) + header_problems(core, headers)
+    sources = {
+        file.relative_to(root).as_posix(): file.read_text(encoding="utf-8")
+        for file in (root / "Filters").rglob("*")
+        if file.suffix in (".h", ".cxx")
+    }
+    bibliography = (root / "Documentation" / "references.bib").read_text(encoding="utf-8")
+    return problems + cite_problems(sources, bibliography)
 
 
 if __name__ == "__main__":

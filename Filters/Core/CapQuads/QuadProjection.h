@@ -45,9 +45,9 @@ ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vecto
   const Progress& progress = {});
 
 /**
- * The traditional projection: the affine map that fits the loops best, then down to the target
- * surface along the normal of its nearest triangle (X. Roca, J. Sarrate, A. Huerta: least-squares
- * approximation of affine mappings for sweep mesh generation).
+ * The traditional projection: the affine map that fits the loops best (after X. Roca, J. Sarrate,
+ * A. Huerta \cite RocaSarrateHuerta2004), then down to the target surface along the normal of its
+ * nearest triangle.
  *
  * @param outerLoop nodes of the outer loop, in order; they fix the normal direction of flat caps.
  */

@@ -11,8 +11,7 @@
 namespace hexsweep
 {
 /**
- * Isotropic remeshing (M. Botsch, L. Kobbelt, "A remeshing approach to multiresolution modeling",
- * Symposium on Geometry Processing, 2004): edges that are too long are halved, short ones
+ * Isotropic remeshing (\cite BotschKobbelt2004): edges that are too long are halved, short ones
  * collapsed, edges flipped, vertices moved to the centroids of their surroundings, in turn. Flips
  * aim at Delaunay triangles instead of equal valences, and no operation turns a triangle over.
  *

@@ -22,10 +22,8 @@ struct PairedTriangles
 /**
  * Pairs neighbouring triangles.
  *
- * A quad counts 1 - max |pi / 2 - angle| / (pi / 2) over its corners (J.-F. Remacle et al.,
- * "Blossom-Quad: a non-uniform quadrilateral mesh generator using a minimum-cost perfect-matching
- * algorithm", International Journal for Numerical Methods in Engineering 89, 2012). Best pairs are
- * taken first; then paths along which pairs and other edges alternate are followed from one
+ * A quad counts 1 - max |pi / 2 - angle| / (pi / 2) over its corners \cite Remacle2012. Best pairs
+ * are taken first; then paths along which pairs and other edges alternate are followed from one
  * triangle that is left to another.
  *
  * @param normals    n x 3, of the surface at the points.

@@ -3,9 +3,8 @@
  * @file
  * @brief Sums and products of two doubles without rounding error.
  *
- * T. J. Dekker, "A floating-point technique for extending the available precision", 1971; D. E.
- * Knuth, "The Art of Computer Programming", volume 2, section 4.2.2. Exact as long as nothing
- * overflows, and products do not underflow either.
+ * After T. J. Dekker \cite Dekker1971 and D. E. Knuth (\cite Knuth1997, section 4.2.2). Exact as
+ * long as nothing overflows, and products do not underflow either.
  */
 #ifndef hexsweep_ErrorFree_h
 #define hexsweep_ErrorFree_h

@@ -13,10 +13,9 @@ namespace hexsweep
 /**
  * An exact number: the sum of doubles that do not overlap.
  *
- * J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
- * predicates", 1997, section 2: grow-expansion, and compression after every operation, so that the
- * number of terms stays near the number of digits over 53. Sums, differences and products are
- * exact as long as no term of them overflows or underflows.
+ * Section 2 of J. R. Shewchuk (\cite Shewchuk1997): grow-expansion, and compression after every
+ * operation, so that the number of terms stays near the number of digits over 53. Sums, differences
+ * and products are exact as long as no term of them overflows or underflows.
  */
 class Expansion
 {

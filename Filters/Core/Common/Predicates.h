@@ -15,7 +15,7 @@ namespace hexsweep
 {
 /**
  * Bound of the rounding error of u v - w z, as a multiple of |u v| + |w z|, where u, v, w and z are
- * differences of two doubles (J. R. Shewchuk, see orientation()).
+ * differences of two doubles (J. R. Shewchuk \cite Shewchuk1997).
  */
 constexpr double OrientationErrorBound =
   (3.0 + 8.0 * std::numeric_limits<double>::epsilon()) * std::numeric_limits<double>::epsilon() / 2;
@@ -29,9 +29,7 @@ int exactOrientation(
  *
  * Exact for all finite doubles whose products neither overflow nor underflow. A floating-point
  * filter decides almost always; what it leaves open is evaluated as an exact sum of six two-term
- * products (T. J. Dekker, "A floating-point technique for extending the available precision",
- * 1971; J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
- * predicates", 1997).
+ * products \cite Dekker1971, \cite Shewchuk1997.
  */
 inline int orientation(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c)

@@ -42,7 +42,7 @@ bool isClosed(const AngleFunction& angle, const TrianglesRef& triangles)
   return true;
 }
 
-/// All weights one: W. T. Tutte, "How to draw a graph", 1963; an embedding of any cap.
+/// All weights one: an embedding of any cap \cite Tutte1963.
 SparseMatrix graphLaplacian(Index numberOfPoints, const TrianglesRef& triangles)
 {
   std::vector<Eigen::Triplet<double, int>> entries;

@@ -27,8 +27,7 @@ struct ConformalAnnulus
 /**
  * The annulus map by a pair of conjugate harmonic 1-forms: the differential of the harmonic
  * function that is 0 on the outer loop and 1 on the hole, and the harmonic form of period 2 pi
- * round the hole (W. Zeng, X. Yin, M. Zhang, F. Luo, X. Gu, "Generalized Koebe's method for
- * conformal mapping multiply connected domains", 2009).
+ * round the hole \cite Zeng2009.
  *
  * The latter's class comes from a cut, see leftOfCut(). Its energy bounds log(1 / r) from above,
  * that of the former from below; the radius is taken from their geometric mean.

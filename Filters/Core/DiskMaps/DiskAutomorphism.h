@@ -41,8 +41,8 @@ private:
 
 /**
  * The map that brings the weighted mean of points on the unit circle to the origin, without turning
- * the origin's neighbourhood (A. Douady, C. J. Earle, "Conformally natural extension of
- * homeomorphisms of the circle", 1986: there is exactly one when no point has half of the weight).
+ * the origin's neighbourhood (there is exactly one when no point has half of the weight
+ * \cite DouadyEarle1986).
  *
  * @param angles  of the points, in radians.
  * @param weights positive, one a point.

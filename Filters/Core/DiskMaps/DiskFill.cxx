@@ -77,7 +77,7 @@ Eigen::ArrayXd secondAntiderivative(const Eigen::ArrayXd& x)
     distance = distance.min(2.0 * Pi - distance).max(std::numeric_limits<double>::min());
     const Lanes square = distance.square();
     const Lanes t = 4.0 / (Pi * Pi) * square - 2.0;
-    Lanes sum = Lanes::Zero(); // C. W. Clenshaw's recurrence, 1955
+    Lanes sum = Lanes::Zero(); // Clenshaw's recurrence \cite Clenshaw1955
     Lanes before = Lanes::Zero();
     for (std::size_t k = ChebyshevTerms - 1; k > 0; --k)
     {

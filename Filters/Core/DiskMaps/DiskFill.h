@@ -16,8 +16,8 @@ namespace hexsweep
  * The boundary values are linear in the angle between the nodes. Their harmonic extension into the
  * disk, or to the outside of it, has the Dirichlet integral
  *   -1/pi  integral integral g'(s) g'(t) log |2 sin((s - t) / 2)| ds dt
- * (J. Douglas, "Solution of the problem of Plateau", 1931, integrated by parts), which is summed
- * in closed form. No node inside the disk is needed.
+ * (J. Douglas \cite Douglas1931, integrated by parts), which is summed in closed form. No node
+ * inside the disk is needed.
  *
  * @param angles m >= 3 angles of the nodes in radians, strictly monotone, less than one turn.
  * @return m x m, symmetric, positive semidefinite, rows sum to zero; g^T A g is the energy of

@@ -49,8 +49,8 @@ struct KoebeLimits
  * towards the angles of the image and as far again beyond: a wrong gluing moves the map on both of
  * its sides alike, so that the image shows half of the error. (The highest frequencies, which
  * finite elements show whole, are not overshot; what the holes do to each other is extrapolated
- * after D. G. Anderson, "Iterative procedures for nonlinear integral equations", 1965.) A round is
- * two such changes; all of them share one factor.
+ * after D. G. Anderson \cite Anderson1965.) A round is two such changes; all of them share one
+ * factor.
  *
  * The result is normalised by a Moebius map of the unit disk: the outer loop's nodes, weighted by
  * their lengths on the surface, have their mean at the origin, and the first of them has angle 0.

@@ -27,10 +27,8 @@ namespace hexsweep
  * Jacobian |a|^2 - |b|^2 / |z|^4 is least on the inner circle, and positive there if and only if
  * targetRadius < 2 r cos(turn) / (1 + r^2), r = sourceRadius. So the map folds all round the hole
  * first, whatever the turn, and beyond a quarter turn always. Without the cosine the bound holds
- * for circles mapped in any way: J. C. C. Nitsche, "On the module of doubly-connected regions under
- * harmonic mappings", Amer. Math. Monthly 69, 1962; T. Iwaniec, L. V. Kovalev, J. Onninen, "The
- * Nitsche conjecture", J. Amer. Math. Soc. 24, 2011. To fulfil it is no promise where nodes run
- * unevenly along the circles: flips are to be counted in any case.
+ * for circles mapped in any way \cite Nitsche1962, \cite IwaniecKovalevOnninen2011. To fulfil it is
+ * no promise where nodes run unevenly along the circles: flips are to be counted in any case.
  */
 struct NitscheCondition
 {

@@ -49,9 +49,8 @@ Eigen::RowVector3d areaVector(const PointsRef& loop);
  * loop that is clearly not planar is reproduced as well, to rounding, and the result is continuous
  * in the data.
  *
- * Knupp ("Next-generation sweep tool", 7th International Meshing Roundtable, 1998) and Roca,
- * Sarrate, Huerta ("Surface mesh projection for hexahedral mesh generation by sweeping", 13th
- * International Meshing Roundtable, 2004) treat the same rank deficiency by shifted centres.
+ * P. M. Knupp \cite Knupp1998 and X. Roca, J. Sarrate, A. Huerta \cite RocaSarrateHuerta2004 treat
+ * the same rank deficiency by shifted centres.
  *
  * @param source     n x 3, n >= 3.
  * @param target     n x 3, row i belongs to source row i.

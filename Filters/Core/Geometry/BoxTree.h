@@ -45,8 +45,8 @@ struct PlaneBox
 };
 
 /**
- * A packed tree (I. Kamel, C. Faloutsos, "Hilbert R-tree: an improved R-tree using fractals",
- * 1994): each box holds the next eight of the level below. Building is one pass over the items.
+ * A packed tree (\cite KamelFaloutsos1994): each box holds the next eight of the level below.
+ * Building is one pass over the items.
  */
 class BoxTree
 {

@@ -3,9 +3,8 @@
  * @file
  * @brief Distortion of a linear map that is finite for inverted maps too and drives them upright.
  *
- * V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov, "Foldover-free maps in
- * 50 lines of code", ACM Transactions on Graphics 40(4), 2021, equations (1) to (6); the
- * implementation is from the formulae.
+ * Equations (1) to (6) of V. Garanzha et al. \cite Garanzha2021; the implementation is from the
+ * formulae.
  */
 #ifndef hexsweep_FoldoverFreeEnergy_h
 #define hexsweep_FoldoverFreeEnergy_h

@@ -16,8 +16,8 @@
 
 namespace hexsweep
 {
-/// A square of 2^16 x 2^16 cells and the place of each cell on Hilbert's curve through all of them
-/// (D. Hilbert, "Ueber die stetige Abbildung einer Linie auf ein Flaechenstueck", 1891).
+/// A square of 2^16 x 2^16 cells and the place of each cell on Hilbert's curve \cite Hilbert1891
+/// through all of them.
 class HilbertCurve
 {
 public:

@@ -16,8 +16,7 @@ namespace hexsweep
 constexpr double InsideAngle = 3.0 * Pi;
 
 /// Solid angle (steradians, in [-2 pi, 2 pi]) under which a point sees a triangle, positive where
-/// it runs clockwise seen from there, 0 from its own plane: A. van Oosterom, J. Strackee, "The
-/// solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30, 1983.
+/// it runs clockwise seen from there, 0 from its own plane \cite VanOosteromStrackee1983.
 double solidAngle(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
   const Eigen::RowVector3d& c, const Eigen::RowVector3d& eye);
 }

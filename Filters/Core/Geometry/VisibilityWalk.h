@@ -33,8 +33,8 @@ inline bool isInside(std::uint32_t arrived)
 
 /**
  * Walks over edges that part the triangle from the point, any of them where there are two, and
- * never back over the one that it came over (O. Devillers, S. Pion, M. Teillaud, "Walking in a
- * triangulation", 2002). Signs are exact, so that a point is said to lie on a side only if it does.
+ * never back over the one that it came over \cite DevillersPionTeillaud2002. Signs are exact, so
+ * that a point is said to lie on a side only if it does.
  *
  * @param start the triangle to begin in.
  * @return a side (see PlaneTriangulation) of the triangle that was found on which the point lies;

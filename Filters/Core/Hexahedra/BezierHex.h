@@ -5,9 +5,8 @@
  *
  * With x(u, v, w) the trilinear map of the unit cube onto the hexahedron, x_u is bilinear in v and
  * w, and so on: det J = det(x_u, x_v, x_w) is of degree 2 in each variable and has 27 Bezier
- * coefficients. It lies between the least and the greatest of them, and at a corner it equals the
- * coefficient there. A. Johnen, J.-C. Weill, J.-F. Remacle, "Robust and efficient validation of the
- * linear hexahedral element", Procedia Engineering 203, 2017.
+ * coefficients \cite Johnen2017. It lies between the least and the greatest of them, and at a
+ * corner it equals the coefficient there.
  *
  * Everything is a template of the number type: double, several hexahedra as the lanes of a vector
  * register, or exact numbers (Expansion).

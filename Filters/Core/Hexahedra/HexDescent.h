@@ -25,7 +25,7 @@ enum class HexSamples
 
 /**
  * Moves the free nodes of some hexahedra so that the sum of distortion<3>() over the samples of all
- * of them falls (Garanzha et al. 2021, see FoldoverFreeEnergy.h), each sample's Jacobian taken
+ * of them falls \cite Garanzha2021 (see FoldoverFreeEnergy.h), each sample's Jacobian taken
  * relative to a box. The energy is finite for inverted hexahedra.
  *
  * Newton's method with the positive semidefinite part of the second derivative; the linear systems

@@ -3,8 +3,7 @@
  * @file
  * @brief Corner Jacobians and scaled Jacobian of hexahedra, and what can be concluded from them.
  *
- * The scaled Jacobian is Verdict's (C. Stimpson, C. Ernst, P. Knupp, P. Pebay, D. Thompson, "The
- * Verdict Geometric Quality Library", SAND2007-1751, section on hexahedra): the least, over the
+ * The scaled Jacobian is Verdict's (\cite Stimpson2007, section on hexahedra): the least, over the
  * eight corners and the centre, of the determinant of three edge vectors over the product of
  * their lengths. Positive corners do not prove that a hexahedron is valid everywhere: a corner
  * test alone can condemn, never acquit. What acquits is the certificate (certifyHex()).

@@ -45,7 +45,7 @@ struct UntangledHexes
 double untanglingBudget(Index hexes);
 
 /**
- * Variational untangling (Garanzha et al. 2021, see FoldoverFreeEnergy.h), locally: the bad
+ * Variational untangling \cite Garanzha2021 (see FoldoverFreeEnergy.h), locally: the bad
  * hexahedra and three rings of neighbours make a patch, all else stays. A patch that is not mended
  * is tried again with twice the rings, until untanglingBudget() is spent, of which each patch gets
  * a share by its size and what those before it have left. A result is kept only if fewer hexahedra

@@ -21,10 +21,10 @@ using CageMethod = std::function<CageMap(
   const PointsRef& rest, const PointsRef& deformed, const TrianglesRef& triangles)>;
 
 /**
- * Places the nodes of a swept volume by the four steps of section 4.2 of Cai and Tautges, "Robust
- * One-to-One Sweeping with Harmonic S-T Mappings and Cages" (22nd International Meshing Roundtable,
- * 2013): topological model, shared triangulation of the boundary quads, binding of each interior
- * node of the topological model to its cage, interpolation with the cage of the physical model.
+ * Places the nodes of a swept volume by the four steps of section 4.2 of Cai and Tautges
+ * (\cite CaiTautges2013): topological model, shared triangulation of the boundary quads, binding of
+ * each interior node of the topological model to its cage, interpolation with the cage of the
+ * physical model.
  *
  * Visits every triangle of the cage for every interior node, in memory that does not depend on
  * the number of interior nodes but for the result and the model. The result does not depend on

@@ -4,8 +4,7 @@
  * @brief The cage of a swept volume: its closed boundary mesh, in the physical and in the
  * topological model.
  *
- * Section 4.2 of Cai and Tautges, "Robust One-to-One Sweeping with Harmonic S-T Mappings and
- * Cages" (22nd International Meshing Roundtable, 2013): the physical model is the volume to be
+ * Section 4.2 of Cai and Tautges (\cite CaiTautges2013): the physical model is the volume to be
  * meshed, the topological model a prism of the same connectivity. Interior nodes are bound to the
  * cage of the second and follow the cage of the first.
  */

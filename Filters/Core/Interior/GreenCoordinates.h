@@ -21,7 +21,7 @@ struct GreenWeights
 };
 
 /**
- * Green coordinates (Lipman, Levin, Cohen-Or, "Green Coordinates", 2008) of triangle cages.
+ * Green coordinates \cite LipmanLevinCohenOr2008 of triangle cages.
  *
  * Green's third identity for the coordinate functions, which are harmonic and linear on each
  * triangle, says x = sum_i phi_i v_i + sum_j psi_j n_j for x inside, with
@@ -31,13 +31,11 @@ struct GreenWeights
  *
  * The deformed point is sum_i phi_i v'_i + sum_j s_j psi_j n'_j (see stretchedNormals()).
  *
- * The integrals are the publication's, in the closed form of Wilton, Rao, Glisson, Schaubert,
- * Al-Bundak, Butler, "Potential integrals for uniform and linear source distributions on polygonal
- * and polyhedral domains" (1984): one logarithm an edge, one solid angle (Van Oosterom, Strackee,
- * "The solid angle of a plane triangle", 1983) a triangle. Unlike the publication's it divides by
- * heights of the triangle only, so it is as accurate beside a triangle and in its plane as anywhere
- * else, at any length scale. Beside an edge of the cage the error grows to machine precision over
- * the relative distance.
+ * The integrals are the publication's, in the closed form of D. R. Wilton et al. \cite Wilton1984
+ * with one logarithm an edge, one solid angle \cite VanOosteromStrackee1983 a triangle. Unlike the
+ * publication's it divides by heights of the triangle only, so it is as accurate beside a triangle
+ * and in its plane as anywhere else, at any length scale. Beside an edge of the cage the error
+ * grows to machine precision over the relative distance.
  */
 class GreenCoordinates
 {
@@ -72,8 +70,8 @@ private:
  *
  *   s_j = sqrt(|u'|^2 |v|^2 - 2 (u' . v') (u . v) + |v'|^2 |u|^2) / (sqrt(8) area_j)
  *
- * with the edge vectors u, v of triangle j and its area at rest, u', v' deformed (Lipman, Levin,
- * Cohen-Or 2008): the root mean square of the principal stretches. Zero for
+ * with the edge vectors u, v of triangle j and its area at rest, u', v' deformed
+ * (\cite LipmanLevinCohenOr2008): the root mean square of the principal stretches. Zero for
  * triangles that have no area at rest or deformed.
  *
  * @param rest, deformed v x 3; @param triangles m x 3.

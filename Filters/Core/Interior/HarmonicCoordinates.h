@@ -3,11 +3,9 @@
  * @file
  * @brief Interior nodes by harmonic coordinates, and single coordinates.
  *
- * Section 4.3 of Cai and Tautges, "Robust One-to-One Sweeping with Harmonic S-T Mappings and
- * Cages" (22nd International Meshing Roundtable, 2013), after Joshi, Meyer, DeRose, Green,
- * Sanocki, "Harmonic Coordinates for Character Articulation" (2007): the coordinate h_i of cage
- * vertex i is the harmonic function on the topological model that is 1 at this vertex, 0 at all
- * others, and linear in between (equations (10) and (11)).
+ * Section 4.3 of Cai and Tautges \cite CaiTautges2013, after P. Joshi et al. (\cite Joshi2007): the
+ * coordinate h_i of cage vertex i is the harmonic function on the topological model that is 1 at
+ * this vertex, 0 at all others, and linear in between (equations (10) and (11)).
  *
  * Here the harmonic functions are the discrete ones of PrismSolver, with trilinear elements on the
  * prism, so that boundary values are bilinear on the quads of the cage. The paper's properties:

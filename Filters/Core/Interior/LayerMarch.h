@@ -18,8 +18,7 @@ namespace hexsweep
  * leaves, r' - A r. Layers are surfaces in space (quadLaplacian()); no plane is fitted to a ring.
  * Since every layer brings its own metric, the steps add up to a flow of the cap: a hole may turn
  * against the outer loop much further than a single harmonic function between the two bears without
- * folding (J. C. C. Nitsche, "On the module of doubly-connected regions under harmonic mappings",
- * 1962). How far is a matter of the quads, which the turn shears.
+ * folding \cite Nitsche1962. How far is a matter of the quads, which the turn shears.
  *
  * Where the harmonic part changes an edge by more than a quarter of its length, the step is divided
  * into up to 8 parts, with rings on the straight lines between r and r', and only the last layer of

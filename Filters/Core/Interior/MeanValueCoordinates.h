@@ -12,8 +12,7 @@
 namespace hexsweep
 {
 /**
- * Mean value coordinates (Ju, Schaefer, Warren, "Mean Value Coordinates for Closed Triangular
- * Meshes", 2005; Floater, Kos, Reimers, "Mean value coordinates in 3D", 2005).
+ * Mean value coordinates \cite JuSchaeferWarren2005, \cite FloaterKosReimers2005.
  *
  * Seen from x, a triangle covers the part T of the unit sphere, with the mean vector m = integral
  * of u over T = 1/2 sum theta_i n_i (theta_i the angle under which edge i is seen, n_i the unit

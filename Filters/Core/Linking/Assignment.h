@@ -12,8 +12,8 @@ namespace hexsweep
 {
 /**
  * Column of each row in the assignment with the least sum of costs, by shortest augmenting paths
- * with potentials (H. W. Kuhn, "The Hungarian method for the assignment problem", Naval Research
- * Logistics Quarterly 2, 1955; the O(n^3) form of N. Tomizawa, Networks 1, 1971).
+ * with potentials (the Hungarian method \cite Kuhn1955, in the O(n^3) form of N. Tomizawa
+ * \cite Tomizawa1971).
  *
  * @param cost n x n, finite.
  */

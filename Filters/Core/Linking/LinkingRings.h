@@ -4,9 +4,8 @@
  * @brief Finds the rings of the structured linking sides by topology, starting at the source loops.
  *
  * The linking sides of a swept volume are structured quads between a loop of the source cap and
- * the same loop of the target cap (step 3 of the introduction of Cai and Tautges, "Robust
- * One-to-One Sweeping with Harmonic S-T Mappings and Cages", 22nd International Meshing
- * Roundtable, 2013).
+ * the same loop of the target cap (step 3 of the introduction of Cai and Tautges
+ * \cite CaiTautges2013).
  */
 #ifndef hexsweep_LinkingRings_h
 #define hexsweep_LinkingRings_h

@@ -34,8 +34,8 @@ struct SideTube
  * u and v are harmonic; v is the fraction of the source loop's length there, CAD edges have a
  * constant v and u by their length, and v on the target loop goes by length between them. Without
  * CAD edges the target loop is turned as the conjugate of u has it. With boundary values like these
- * a harmonic map to a flat strip is one-to-one where its weights are positive (M. S. Floater,
- * "One-to-one piecewise linear mappings over triangulations", Math. Comp. 72, 2003).
+ * a harmonic map to a flat strip is one-to-one where its weights are positive
+ * \cite Floater2003OneToOne.
  */
 struct SideStrip
 {

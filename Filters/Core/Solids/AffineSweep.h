@@ -28,13 +28,12 @@ struct AffineSweep
  * Looks for an affine map between the caps and compares curves and surfaces, not triangulations.
  *
  * The first guess is the map without a rotation of its own that takes the caps' centres, normals
- * and second moments to each other (the optimal transport between two Gaussians: I. Olkin, F.
- * Pukelsheim, "The distance between two random vectors with given dispersion matrices", Linear
- * Algebra and its Applications 48, 1982); others follow the outer side round. Each is fitted to the
- * loops' points where these match one to one, otherwise a translation is tried before other maps,
- * and to their nearest places (iterative closest points). What is returned was checked: loops on
- * loops, caps on caps, straight lines from loop to loop on the sides and the sides on them, each
- * both ways, up to what the facets of curves explain and a millionth of the solid's size.
+ * and second moments to each other (the optimal transport between two Gaussians
+ * \cite OlkinPukelsheim1982); others follow the outer side round. Each is fitted to the loops'
+ * points where these match one to one, otherwise a translation is tried before other maps, and to
+ * their nearest places (iterative closest points). What is returned was checked: loops on loops,
+ * caps on caps, straight lines from loop to loop on the sides and the sides on them, each both
+ * ways, up to what the facets of curves explain and a millionth of the solid's size.
  *
  * Costs O(n log n).
  *

@@ -49,8 +49,7 @@ int leaning(const SolidInput& solid, const std::vector<Index>& used, int axis)
   return sum > margin ? 1 : sum < -margin ? -1 : 0;
 }
 
-/// Finalizer of the generator SplitMix64: G. L. Steele, D. Lea, C. H. Flood, "Fast splittable
-/// pseudorandom number generators", OOPSLA 2014.
+/// Finalizer of the generator SplitMix64 \cite SteeleLeaFlood2014.
 std::uint64_t mixed(std::uint64_t x)
 {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;

@@ -104,9 +104,8 @@ Corner cornerOf(const Shell& shell, Index t, Index c, const SolidInput& solid)
   return solid.points.row(shell.triangles(t, c));
 }
 
-/// Where a line from `start` meets a triangle, in units of `direction`; nothing where it does not:
-/// T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle intersection", Journal of Graphics
-/// Tools 2, 1997.
+/// Where a line from `start` meets a triangle, in units of `direction`; nothing where it does not
+/// \cite MoellerTrumbore1997.
 std::optional<double> hitOf(const Shell& shell, Index t, const SolidInput& solid,
   const Corner& start, const Corner& direction)
 {

@@ -39,11 +39,10 @@ struct HelmholtzSolution
  * Solves (K + lambda M) u = load for the eight modes and three components of a batch.
  *
  * Conjugate gradients in single precision inside iterative refinement in double precision. The
- * preconditioner of PrismKernels.h is relaxed modified incomplete Cholesky (O. Axelsson, G.
- * Lindskog, "On the eigenvalue distribution of a class of preconditioning methods", 1986), or
- * symmetric Gauss-Seidel where that does not do. Only nodes that the solution reaches take part:
- * with no load inside, it falls like exp(-sqrt(lambda) d) with the distance d to the given nodes.
- * That is estimated first, and checked on the solution.
+ * preconditioner of PrismKernels.h is relaxed modified incomplete Cholesky
+ * \cite AxelssonLindskog1986, or symmetric Gauss-Seidel where that does not do. Only nodes that the
+ * solution reaches take part: with no load inside, it falls like exp(-sqrt(lambda) d) with the
+ * distance d to the given nodes. That is estimated first, and checked on the solution.
  *
  * On poor quads low modes may take hundreds of iterations. Every few iterations the solver counts
  * what is left at the present rate, and gives up the modes that cost less to solve directly.

@@ -33,9 +33,8 @@ struct LayerModes
 };
 
 /**
- * Equal layers: the functions are sines (R. W. Hockney, "A fast direct solution of Poisson's
- * equation using Fourier analysis", 1965, for the transform along a direction of a grid).
- * Unequal ones: a dense generalised eigenproblem, O(L^3).
+ * Equal layers: the functions are sines (see \cite Hockney1965 for the transform along a direction
+ * of a grid). Unequal ones: a dense generalised eigenproblem, O(L^3).
  *
  * @param heights L >= 1 heights, > 0.
  * @throw InvalidInput for heights that are not positive and finite.

@@ -12,8 +12,7 @@
 namespace hexsweep
 {
 /**
- * Multifrontal factorisation (I. S. Duff, J. K. Reid, "The multifrontal solution of indefinite
- * sparse symmetric linear equations", 1983) in a nested dissection order, see dissect().
+ * Multifrontal factorisation \cite DuffReid1983 in a nested dissection order, see dissect().
  *
  * Symmetric positive definite matrices get a Cholesky factorisation; others an LU factorisation
  * that pivots within a part only, which is safe for the diagonally dominant matrices of positive

@@ -28,8 +28,7 @@ struct Dissection
 };
 
 /**
- * Nested dissection (A. George, "Nested dissection of a regular finite element mesh", 1973) of the
- * graph of a matrix.
+ * Nested dissection \cite George1973 of the graph of a matrix.
  *
  * Parts are halved across their longest side until they are small. Where the rows' places in space
  * are not known, breadth-first distances from two pairs of far-apart rows serve as coordinates in

@@ -48,8 +48,8 @@ struct HelmholtzSystem
 /**
  * One conjugate gradient iteration in three passes over the nodes. With A = L + D_A + L^T, the
  * preconditioner is (D + L) D^-1 (D + L^T), an incomplete Cholesky factorisation that changes the
- * diagonal only; S. C. Eisenstat's form ("Efficient implementation of a class of preconditioned
- * conjugate gradient methods", 1981) costs no product with A besides the two triangular solves.
+ * diagonal only; S. C. Eisenstat's form \cite Eisenstat1981 costs no product with A besides the two
+ * triangular solves.
  *
  * Vectors are size x BatchWidth; pivots D and their inverses size x LanesPerBatch.
  */

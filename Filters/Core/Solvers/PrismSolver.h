@@ -24,9 +24,9 @@ namespace hexsweep
  * matrices K2, M2 of the quads (see quadLaplacian()) and the linear ones of the layers, M1 and K1.
  * The eigenfunctions of K1 f = lambda M1 f (sines where the layers are equal, see layerModes())
  * leave one sparse problem (K2 + lambda_j M2) u_j = f_j on the quads for each mode j = 1 ... L - 1:
- * the fast Poisson solvers of Buzbee, Golub, Nielson ("On direct methods for solving Poisson's
- * equations", 1970). Eight modes with their three components are solved side by side, see
- * HelmholtzBatchSolver; those that converge too slowly directly, see HelmholtzDirectSolver.
+ * the fast Poisson solvers of B. L. Buzbee et al. \cite BuzbeeGolubNielson1970. Eight modes with
+ * their three components are solved side by side, see HelmholtzBatchSolver; those that converge too
+ * slowly directly, see HelmholtzDirectSolver.
  *
  * The result equals that of the assembled three-dimensional system to 1e-10 of the greatest given
  * value; the modes are solved to about 1e-12 of it. It is the same, bit for bit, with any number of

@@ -24,8 +24,8 @@ struct QuadLaplacian
 /**
  * Assembles the Laplace-Beltrami operator of the bilinear surface through the corners of each
  * quad, with the metric of the quad itself in space, so that no projection plane is needed
- * (surface finite elements: Dziuk, "Finite elements for the Beltrami operator on arbitrary
- * surfaces", 1988). 2 x 2 Gauss points, which are exact for parallelograms.
+ * (surface finite elements \cite Dziuk1988). 2 x 2 Gauss points, which are exact for
+ * parallelograms.
  *
  * @param points n x 3.
  * @param quads  m x 4 ids in [0, n). Orientation does not matter. Gauss points where the quad has

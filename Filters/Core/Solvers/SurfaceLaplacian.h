@@ -3,8 +3,7 @@
  * @file
  * @brief Edge weights of the discrete harmonic energy on a triangulated surface.
  *
- * Paper section 3.1.1: S. Cai, T. J. Tautges, "Robust One-to-One Sweeping with Harmonic S-T
- * Mappings and Cages", 22nd International Meshing Roundtable, 2013, equations (1) to (3).
+ * Section 3.1.1 of the paper, S. Cai and T. J. Tautges \cite CaiTautges2013, equations (1) to (3).
  */
 #ifndef hexsweep_SurfaceLaplacian_h
 #define hexsweep_SurfaceLaplacian_h
@@ -18,7 +17,7 @@ namespace hexsweep
 enum class Weights
 {
   Cotangent, ///< equation (1); exact for the metric, negative on obtuse triangles
-  MeanValue, ///< Floater 2003; positive on every triangulation, not symmetric
+  MeanValue, ///< \cite Floater2003MeanValue, positive on every triangulation, not symmetric
   Intrinsic  ///< equation (1) on the intrinsic Delaunay triangulation, see intrinsicLaplacian()
 };
 
@@ -40,7 +39,7 @@ SparseMatrix laplacianOfCotangents(
   Index numberOfPoints, const TrianglesRef& triangles, const PointsRef& cotangents);
 
 /**
- * The matrix of M. S. Floater's mean value coordinates ("Mean value coordinates", CAGD 20, 2003):
+ * The matrix of M. S. Floater's mean value coordinates (\cite Floater2003MeanValue):
  * w_ij = (tan(a/2) + tan(b/2)) / |v_i v_j|, a and b the angles at v_i beside the edge.
  *
  * @return n x n, not symmetric, off-diagonal entries negative, rows sum to zero.
@@ -52,8 +51,7 @@ SparseMatrix meanValueLaplacian(const PointsRef& points, const TrianglesRef& tri
  * The matrix of cotangentLaplacian() for the intrinsic Delaunay triangulation.
  *
  * No weight of an inner edge is negative (up to rounding); f^T L f is the least over all
- * triangulations with these vertices, for every f (S. Rippa, "Minimal roughness property of the
- * Delaunay triangulation", CAGD 7, 1990; Bobenko & Springborn 2007).
+ * triangulations with these vertices, for every f \cite Rippa1990, \cite BobenkoSpringborn2007.
  */
 SparseMatrix intrinsicLaplacian(const PointsRef& points, const TrianglesRef& triangles);
 

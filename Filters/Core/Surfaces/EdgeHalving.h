@@ -17,9 +17,8 @@ struct HalvedSurface
 };
 
 /**
- * Halves edges, the longest first, until none is longer than `longest` (M.-C. Rivara, "Algorithms
- * for refining triangular grids suitable for adaptive and multigrid techniques", IJNME 20, 1984:
- * cutting the longest edge first keeps angles from getting worse).
+ * Halves edges, the longest first, until none is longer than `longest` (cutting the longest edge
+ * first keeps angles from getting worse \cite Rivara1984).
  *
  * @param mesh    an oriented 2-manifold, see checkSurface().
  * @param longest > 0.

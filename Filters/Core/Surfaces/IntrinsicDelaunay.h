@@ -3,10 +3,8 @@
  * @file
  * @brief The Delaunay triangulation of a surface in its own metric.
  *
- * A. I. Bobenko, B. A. Springborn, "A discrete Laplace-Beltrami operator for simplicial surfaces",
- * Discrete & Computational Geometry 38, 2007; M. Fisher, B. Springborn, P. Schroeder,
- * A. I. Bobenko, "An algorithm for the construction of intrinsic Delaunay triangulations with
- * applications to digital geometry processing", Computing 81, 2007.
+ * After A. I. Bobenko, B. A. Springborn \cite BobenkoSpringborn2007 and M. Fisher et al.
+ * \cite Fisher2007.
  */
 #ifndef hexsweep_IntrinsicDelaunay_h
 #define hexsweep_IntrinsicDelaunay_h

@@ -3,8 +3,7 @@
  * @file
  * @brief How the edges of one triangulation run through a triangle of another, in integers.
  *
- * Normal coordinates: M. Gillespie, N. Sharp, K. Crane, "Integer coordinates for intrinsic geometry
- * processing", ACM Transactions on Graphics 40, 2021.
+ * Normal coordinates, after M. Gillespie, N. Sharp, K. Crane \cite GillespieSharpCrane2021.
  */
 #ifndef hexsweep_TriangleCrossings_h
 #define hexsweep_TriangleCrossings_h

@@ -52,16 +52,14 @@ struct ImprovedTriangulation
  *
  * An edge is flipped only if its four corners lie in one plane up to the rounding of their
  * coordinates (1e-13 of the cap's size). Refinement inserts centroids where a triangle is larger
- * than the sizes at its corners (P. Liepa, "Filling holes in meshes", Symposium on Geometry
- * Processing, 2003), flips, and halves long edges that are bent; the size at a loop's node is the
- * length of the edges beside it and grows inwards.
+ * than the sizes at its corners \cite Liepa2003, flips, and halves long edges that are bent; the
+ * size at a loop's node is the length of the edges beside it and grows inwards.
  *
  * Triangles beside a long edge of the boundary stay as large as that edge wants: no centroid is
- * inserted inside the circle over an edge of the boundary (J. Ruppert, "A Delaunay refinement
- * algorithm for quality 2-dimensional mesh generation", Journal of Algorithms 18, 1995), nor closer
- * than the size / sqrt(2) to a point it would be joined to. No step makes a triangle whose height
- * over its longest edge is below both 0.1 and that of the thinnest triangle it replaces; a
- * refinement that ends below half of that is given up. At most 10 points are added for each point.
+ * inserted inside the circle over an edge of the boundary \cite Ruppert1995, nor closer than the
+ * size / sqrt(2) to a point it would be joined to. No step makes a triangle whose height over its
+ * longest edge is below both 0.1 and that of the thinnest triangle it replaces; a refinement that
+ * ends below half of that is given up. At most 10 points are added for each point.
  *
  * @param mesh an oriented 2-manifold, see checkSurface().
  */

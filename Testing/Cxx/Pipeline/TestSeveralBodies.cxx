@@ -195,6 +195,48 @@ TEST(SeveralBodies, OneThatCannotBeSweptIsNamedBesideThoseThatCan)
     "alone): volume 2: no way to sweep");
 }
 
+TEST(SeveralBodies, OneThatIsOpenIsNamedBesideThoseThatCanBeSwept)
+{
+  const Grid open =
+    test::cellsWith(blockAt(4.0, { 1.0, 1.0, 1.0 }, 2), hexsweep::arrays::FaceId, 20.0 + test::Top);
+  SolidSweep sweep(together({ blockAt(0.0, { 1.0, 1.0, 1.0 }, 1), open }));
+  sweep.filter->SetSize(0.5);
+  test::expectOneError(sweep.filter,
+    "those that can are 1 (set VolumeIds to sweep them alone): volume 2: the solid is open");
+  sweep.filter->AddVolumeId(1);
+  sweep.filter->Update();
+  EXPECT_GT(sweep.hexes()->GetNumberOfCells(), 0);
+}
+
+TEST(SeveralBodies, FacesFoundByAngleKeepTheirIdsWhenSomeArePicked)
+{
+  const Grid both =
+    together({ blockAt(0.0, { 1.0, 1.0, 1.0 }, 1), blockAt(3.0, { 1.0, 2.0, 3.0 }, 2) });
+  both->GetCellData()->RemoveArray(hexsweep::arrays::FaceId);
+  SolidSweep sweep(both);
+  sweep.filter->SetSize(0.5);
+  sweep.filter->AddVolumeId(2);
+  sweep.name({ 8 }, {});
+  sweep.filter->Update();
+  EXPECT_EQ(sweep.messages(), "");
+  EXPECT_EQ(test::report(sweep.hexes(), hexsweep::reports::SourceFaceIds), 8.0);
+}
+
+TEST(SeveralBodies, TheInputStaysAsItIs)
+{
+  const Grid both =
+    together({ blockAt(0.0, { 1.0, 1.0, 1.0 }, 1), blockAt(3.0, { 1.0, 2.0, 3.0 }, 2) });
+  vtkNew<vtkIdTypeArray> old;
+  old->SetName("SweepReportOld");
+  old->InsertNextValue(4);
+  both->GetFieldData()->AddArray(old);
+  SolidSweep sweep(both);
+  sweep.filter->SetSize(0.5);
+  sweep.filter->Update();
+  ASSERT_GT(sweep.hexes()->GetNumberOfCells(), 0);
+  EXPECT_EQ(old->GetNumberOfTuples(), 1);
+}
+
 TEST(SeveralBodies, AreListedWithTheirCandidates)
 {
   vtkNew<vtkSweepCandidates> candidates;

@@ -81,7 +81,8 @@ void expectSame(const CanonicalSolid& a, const CanonicalSolid& b)
 
 TEST(CanonicalSolid, DoesNotDependOnNumbersAndOrientation)
 {
-  for (const SolidInput& solid : { crookedSolid(), test::box(3, 3, 3), test::box(1, 2, 3) })
+  for (const SolidInput& solid : { crookedSolid(), test::box(3, 3, 3), test::box(1, 2, 3),
+         test::soup(crookedSolid()), test::soup(test::box(2, 2, 1)) })
   {
     for (unsigned seed = 0; seed < 6; ++seed)
     {

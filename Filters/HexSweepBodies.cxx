@@ -32,7 +32,7 @@ void checkWanted(const std::vector<SolidBody>& bodies, const std::vector<Index>&
   }
 }
 
-/// @param several where one has a problem, the others may have none.
+/// @param several whether the solid has other bodies, so that this one needs a name.
 ReadBody readBody(const SolidBody& body, bool several, const SolidOptions& options)
 {
   ReadBody read;
@@ -46,10 +46,6 @@ ReadBody readBody(const SolidBody& body, bool several, const SolidOptions& optio
   catch (const InvalidInput& error)
   {
     read.problem = messageAbout(read, error.what());
-    if (!several)
-    {
-      throw InvalidInput(read.problem);
-    }
   }
   return read;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/CanonicalSolid.h"
 
+#include "Core/Surfaces/UsedPoints.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,12 +16,19 @@ namespace hexsweep
 {
 namespace
 {
-std::vector<Index> usedPoints(const SolidInput& solid)
+/// Ids of the points that triangles use, rising.
+std::vector<Index> usedIds(const SolidInput& solid)
 {
-  std::vector<Index> used(solid.triangles.data(), solid.triangles.data() + solid.triangles.size());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  return used;
+  const std::vector<bool> isUsed = usedPoints(solid.triangles, solid.points.rows());
+  std::vector<Index> ids;
+  for (std::size_t p = 0; p < isUsed.size(); ++p)
+  {
+    if (isUsed[p])
+    {
+      ids.push_back(static_cast<Index>(p));
+    }
+  }
+  return ids;
 }
 
 /// Where most points are on one axis: 1 or -1 above or below the middle, 0 in between.
@@ -183,41 +192,20 @@ std::vector<Index> sortedPoints(
   });
   return used;
 }
-
-template <typename T>
-std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& order)
-{
-  std::vector<T> result;
-  for (std::size_t i = 0; i < order.size() && !values.empty(); ++i)
-  {
-    result.push_back(values[static_cast<std::size_t>(order[i])]);
-  }
-  return result;
-}
-
-std::vector<Index> upTo(Index n)
-{
-  std::vector<Index> numbers(static_cast<std::size_t>(n));
-  std::iota(numbers.begin(), numbers.end(), Index{ 0 });
-  return numbers;
-}
 }
 
 CanonicalSolid canonicalSolid(const SolidInput& solid)
 {
   checkSolidInput(solid);
-  const std::vector<Index> used = usedPoints(solid);
+  const std::vector<Index> used = usedIds(solid);
   CanonicalSolid result;
   result.reflection = chooseReflection(solid, used);
   const Points points = reflected(solid.points, result.reflection);
   const std::vector<Index> pointOrder = sortedPoints(points, solid.triangles, used);
   std::vector<Index> number(static_cast<std::size_t>(points.rows()), -1);
-  SolidInput& input = result.input;
-  input.points.resize(static_cast<Index>(pointOrder.size()), 3);
   for (std::size_t i = 0; i < pointOrder.size(); ++i)
   {
     number[static_cast<std::size_t>(pointOrder[i])] = static_cast<Index>(i);
-    input.points.row(static_cast<Index>(i)) = points.row(pointOrder[i]);
   }
 
   const Index m = solid.triangles.rows();
@@ -227,24 +215,27 @@ CanonicalSolid canonicalSolid(const SolidInput& solid)
     corners[static_cast<std::size_t>(i / 3)][static_cast<std::size_t>(i % 3)] =
       number[static_cast<std::size_t>(solid.triangles.data()[i])];
   }
-  std::vector<Index> order = upTo(m);
+  std::vector<Index> order(static_cast<std::size_t>(m));
+  std::iota(order.begin(), order.end(), Index{ 0 });
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
     return rising(corners[static_cast<std::size_t>(a)]) <
       rising(corners[static_cast<std::size_t>(b)]);
   });
-  input.triangles.resize(m, 3);
+
+  SolidInput& input = result.input;
+  input = selectTriangles(solid, order);
   for (Index t = 0; t < m; ++t)
   {
     const Corners row =
       fromLowest(corners[static_cast<std::size_t>(order[static_cast<std::size_t>(t)])]);
     input.triangles.row(t) << row[0], row[1], row[2];
   }
-  input.faceIds = permuted(solid.faceIds, order);
-  input.cellIds = solid.cellIds.empty() ? order : permuted(solid.cellIds, order);
-  input.pointIds = solid.pointIds.empty() ? pointOrder : permuted(solid.pointIds, pointOrder);
-  input.quadOfTriangle = permuted(solid.quadOfTriangle, order);
-  input.quadCellIds = solid.quadCellIds;
-  input.quads = solid.quads;
+  input.points = points(pointOrder, Eigen::all);
+  input.pointIds = pointOrder;
+  for (std::size_t i = 0; i < pointOrder.size() && !solid.pointIds.empty(); ++i)
+  {
+    input.pointIds[i] = solid.pointIds[static_cast<std::size_t>(pointOrder[i])];
+  }
   for (Index i = 0; i < input.quads.size(); ++i)
   {
     input.quads.data()[i] = number[static_cast<std::size_t>(input.quads.data()[i])];

@@ -216,31 +216,6 @@ std::vector<Index> bodiesOfShells(const SolidInput& solid, const SolidOptions& o
   }
   return bodies;
 }
-
-template <typename T>
-std::vector<T> taken(const std::vector<T>& values, const std::vector<Index>& rows)
-{
-  std::vector<T> result;
-  for (std::size_t i = 0; i < rows.size() && !values.empty(); ++i)
-  {
-    result.push_back(values[static_cast<std::size_t>(rows[i])]);
-  }
-  return result;
-}
-
-SolidInput bodyOf(const SolidInput& solid, const std::vector<Index>& rows)
-{
-  SolidInput body;
-  body.points = solid.points;
-  body.pointIds = solid.pointIds;
-  body.triangles = solid.triangles(rows, Eigen::all);
-  body.faceIds = taken(solid.faceIds, rows);
-  body.cellIds = solid.cellIds.empty() ? rows : taken(solid.cellIds, rows);
-  body.quads = solid.quads;
-  body.quadCellIds = solid.quadCellIds;
-  body.quadOfTriangle = taken(solid.quadOfTriangle, rows);
-  return body;
-}
 }
 
 std::vector<SolidBody> solidBodies(
@@ -266,7 +241,7 @@ std::vector<SolidBody> solidBodies(
   }
   for (const auto& [id, rows] : rowsOfBody)
   {
-    result.push_back({ id, bodyOf(solid, rows) });
+    result.push_back({ id, selectTriangles(solid, rows) });
   }
   return result;
 }

@@ -165,6 +165,28 @@ void checkAreas(const SolidSurface& solid)
 }
 }
 
+SolidInput selectTriangles(const SolidInput& input, const std::vector<Index>& rows)
+{
+  const auto selected = [&](const std::vector<Index>& values) {
+    std::vector<Index> result;
+    for (std::size_t i = 0; i < rows.size() && !values.empty(); ++i)
+    {
+      result.push_back(values[static_cast<std::size_t>(rows[i])]);
+    }
+    return result;
+  };
+  SolidInput part;
+  part.points = input.points;
+  part.pointIds = input.pointIds;
+  part.triangles = input.triangles(rows, Eigen::all);
+  part.faceIds = selected(input.faceIds);
+  part.cellIds = input.cellIds.empty() ? rows : selected(input.cellIds);
+  part.quads = input.quads;
+  part.quadCellIds = input.quadCellIds;
+  part.quadOfTriangle = selected(input.quadOfTriangle);
+  return part;
+}
+
 void checkSolidInput(const SolidInput& input)
 {
   if (input.triangles.rows() == 0)

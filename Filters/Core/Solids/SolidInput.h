@@ -40,6 +40,9 @@ struct SolidOptions
   Index firstFaceId = 0; ///< of faces that are found by angle
 };
 
+/// Some triangles of a solid, in this order, with all of its points; ids are those of the solid.
+SolidInput selectTriangles(const SolidInput& input, const std::vector<Index>& rows);
+
 /// @throw InvalidInput: no triangles; id lists of the wrong length; a corner that does not exist or
 /// is
 ///        not finite.

@@ -333,10 +333,7 @@ SourceQuads imprintedQuads(const CapToMesh& cap, const SweepTopology& topology,
     return none;
   }
 }
-}
 
-namespace
-{
 /// The quads with the target's borders, unless those without are better.
 SourceQuads betterOf(
   const CapToMesh& cap, const SweepTopology& topology, SourceQuads imprinted, SourceQuads plain)

@@ -194,6 +194,8 @@ constexpr const char* CandidatesCut = "SweepReportCandidatesCut";
 constexpr const char* Size = "SweepReportSize";
 /// Id: points that were given up for another one.
 constexpr const char* MergedPoints = "SweepReportMergedPoints";
+/// Triangles of the solid without area, flipped away.
+constexpr const char* FlippedTriangles = "SweepReportFlippedTriangles";
 
 // Faces of solids (vtkSolidFaces).
 

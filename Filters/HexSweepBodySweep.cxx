@@ -4,6 +4,7 @@
 #include "Core/Common/Describe.h"
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Solids/SweepChoice.h"
+#include "Core/Solids/SweepForecast.h"
 #include "HexSweepAppend.h"
 #include "HexSweepArrays.h"
 #include "HexSweepReader.h"
@@ -106,10 +107,16 @@ std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
     return sweepSolid(
       solid, topology, own, stages, progressPart(progress, 0.03, 1.0), made.hexes, made.boundary);
   };
+  const bool isNamed = !named.sourceFaceIds.empty() || !named.targetFaceIds.empty();
+  if (isNamed && settings.tell)
+  {
+    for (const std::string& text : forecastSweep(surface, choice.sweeps.front()))
+    {
+      settings.tell(messageAbout(solid.body, text));
+    }
+  }
   const std::vector<std::string> warnings =
-    named.sourceFaceIds.empty() && named.targetFaceIds.empty()
-    ? bestOfSweeps(choice, sweep, mesh)
-    : sweep(choice.sweeps.front(), mesh).warnings;
+    !isNamed ? bestOfSweeps(choice, sweep, mesh) : sweep(choice.sweeps.front(), mesh).warnings;
   std::vector<std::string> ranking;
   for (const std::string& line : describeRanking(choice.ranking))
   {

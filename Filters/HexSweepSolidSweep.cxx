@@ -4,6 +4,7 @@
 #include "Core/Common/Describe.h"
 #include "Core/Solids/FaceQuads.h"
 #include "Core/Solids/FoundTarget.h"
+#include "Core/Solids/HinderingEdges.h"
 #include "Core/Solids/SolidCage.h"
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Solids/SourceQuads.h"
@@ -13,6 +14,7 @@
 #include "HexSweepCapDiskGrid.h"
 #include "HexSweepChoices.h"
 #include "HexSweepLinkingReport.h"
+#include "HexSweepRun.h"
 #include "HexSweepSolidQuads.h"
 #include "HexSweepVolumeId.h"
 #include "HexSweepWriter.h"
@@ -36,6 +38,7 @@ void addReports(const SolidCage& cage, const SolidSurface& solid, const SweepTop
   addIds(fieldData, reports::SourceFaceIds, topology.sourceFaceIds);
   addIds(fieldData, reports::TargetFaceIds, topology.targetFaceIds);
   addReport(fieldData, reports::MergedPoints, solid.mergedPoints);
+  addReport(fieldData, reports::FlippedTriangles, solid.flippedTriangles);
   addLinkingReport(fieldData, cage.linking);
   addReport(fieldData, reports::InvertedQuads, cage.projection.quality.inverted);
   addReport(fieldData, reports::MaximumSourceDistance, cage.greatestDistance);
@@ -125,6 +128,12 @@ std::vector<std::string> warningsOf(const SizedQuads& sized, const SolidCage& ca
       "quads of the target lie on two of its faces: along the borders between them "
       "quads would be inverted. Set QuadSize to a smaller length.");
   }
+  if (!cage.freedSides.empty())
+  {
+    warnings.push_back("CAD edges of the sides (" + listFaces(cage.freedSides) +
+      ") are no edges of the mesh where they run from cap to cap: hexahedra along them would be "
+      "inverted.");
+  }
   warnings.push_back(describeMismatch(
     cage.projection.sourceMismatch, "source cap of the solid", "boundary of the source quads"));
   return warnings;
@@ -157,12 +166,13 @@ std::vector<std::string> advice(
 SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
   const SolidSweepSettings& settings, const SizedQuads& sized, const Progress& progress)
 {
-  const SolidCageInput input{ solid.body.surface, topology, sized.quads.mesh,
+  SolidCageInput input{ solid.body.surface, topology, sized.quads.mesh,
     sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
     settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
-    settings.weights, settings.improvement, sized.quads.imprinted };
-  return makeSolidCage(input, progress);
+    settings.weights, settings.improvement, sized.quads.imprinted, {} };
+  return settings.hexes.ensureValid ? makeUnhinderedCage(std::move(input), smpFor(), progress)
+                                    : makeSolidCage(input, progress);
 }
 }
 

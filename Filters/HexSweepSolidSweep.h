@@ -14,6 +14,7 @@
 #include "HexSweepBodies.h"
 #include "HexSweepHexOutput.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct SolidSweepSettings
   TriangulationImprovement improvement = TriangulationImprovement::Automatic;
   bool targetIsNamed = false; ///< one that is not may not lie behind the source
   HexOutputSettings hexes;
+  /// Takes what the user should know before the work begins.
+  std::function<void(const std::string&)> tell;
 };
 
 struct SolidSweepResult

@@ -133,6 +133,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   settings.hexes.certify = this->Certify;
   settings.hexes.failIfInvalid = this->FailIfInvalid;
   settings.hexes.precision = this->OutputPointsPrecision;
+  settings.tell = [this](const std::string& text) { vtkWarningMacro(<< text); };
   StageClock clock;
   vtkDataSet* solid = inputDataSet(inputs, 0);
   const std::vector<ReadBody> bodies =

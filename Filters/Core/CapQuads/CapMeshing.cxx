@@ -189,7 +189,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   divideAtEverySecondPoint(cap.points, curves, kept, divided);
   const DividedCap prepared = putNodesOnCurves(cap, curves, divided, options.keep);
   const SurfaceSearch surface(cap);
-  const RemeshedSurface remeshed = remeshSurface(
+  RemeshedSurface remeshed = remeshSurface(
     prepared.input, surface, TriangleSize * options.size, Growth, progressPart(progress, 0.0, 0.5));
 
   const std::vector<CurveEdge> onCurves = curveEdges(prepared, remeshed.pointOf, kept);
@@ -198,6 +198,9 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   {
     keptEdges.push_back(edge.ends);
   }
+  const std::vector<std::pair<Index, Index>> parted =
+    openCornerFans(remeshed.mesh, options.fans, keptEdges, surface);
+  keptEdges.insert(keptEdges.end(), parted.begin(), parted.end());
   const PairedTriangles paired =
     pairTriangles(remeshed.mesh, surface.project(remeshed.mesh.points).normals, keptEdges);
   SubdividedFaces subdivided =

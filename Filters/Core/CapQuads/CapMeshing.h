@@ -9,7 +9,7 @@
 #ifndef hexsweep_CapMeshing_h
 #define hexsweep_CapMeshing_h
 
-#include "Core/Common/Mesh.h"
+#include "Core/CapQuads/CornerFans.h"
 
 #include <utility>
 
@@ -22,6 +22,7 @@ struct CapQuadOptions
   /// Edges of the cap's boundary that are to be edges of the quads, undivided, as pairs of points
   /// in any order.
   std::vector<std::pair<Index, Index>> keepEdges;
+  std::vector<CornerFan> fans; ///< nodes of earlier quads of the same cap that want more quads
 };
 
 struct CapQuads

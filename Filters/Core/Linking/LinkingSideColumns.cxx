@@ -6,6 +6,7 @@
 #include "Core/Geometry/BoundarySearch.h"
 #include "Core/Geometry/ClosedPolygon.h"
 #include "Core/Geometry/LoopGeometry.h"
+#include "Core/Linking/ColumnEnds.h"
 #include "Core/Linking/RingParameter.h"
 #include "Core/Surfaces/SurfaceArea.h"
 
@@ -56,10 +57,6 @@ double valueAt(const std::vector<double>& values, double place)
   return fraction == 0.0 ? values[edge] : values[edge] + fraction * (next - values[edge]);
 }
 
-double wrapped(double v)
-{
-  return v - std::floor(v);
-}
 }
 
 LinkingSideColumns::LinkingSideColumns(
@@ -88,7 +85,7 @@ void LinkingSideColumns::placeRing(const PointsRef& ring, double matchTolerance)
   std::vector<double> v;
   for (const double place : places)
   {
-    v.push_back(wrapped(valueAt(this->Strip.sourceV, place)));
+    v.push_back(wrappedV(valueAt(this->Strip.sourceV, place)));
   }
   this->Begin = static_cast<std::size_t>(std::min_element(v.begin(), v.end()) - v.begin());
   std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(this->Begin), v.end());
@@ -104,7 +101,7 @@ void LinkingSideColumns::findEnds()
 {
   const std::size_t n = this->Source.size();
   this->Edge.assign(n, -1);
-  std::vector<std::pair<std::size_t, double>> anchors; // column, v of its end
+  std::vector<ColumnAnchor> anchors;
   for (std::size_t c = 0; c < this->Strip.columns.size(); ++c)
   {
     const StripColumn& column = this->Strip.columns[c];
@@ -116,82 +113,21 @@ void LinkingSideColumns::findEnds()
     }
     const std::size_t j = static_cast<std::size_t>(found - this->Source.begin());
     this->Edge[j] = static_cast<Index>(c);
-    anchors.emplace_back(j, column.v);
+    anchors.push_back({ j, column.v });
   }
-  this->Target = this->Source;
-  for (double& end : this->Target)
-  {
-    end += this->Turn;
-  }
-  this->anchorCorners(anchors);
-  if (anchors.empty())
-  {
-    return;
-  }
-  const std::vector<double> begins = this->Source;
-  for (std::size_t a = 0; a < anchors.size(); ++a)
-  {
-    const auto [j0, v0] = anchors[a];
-    const bool wraps = a + 1 == anchors.size();
-    const auto [j1, v1] = anchors[wraps ? 0 : a + 1];
-    const double last = wraps ? v1 + 1.0 : v1;
-    const double lastBegin = wraps ? begins[j1] + 1.0 : begins[j1];
-    for (std::size_t j = j0; j < (wraps ? j1 + n : j1); ++j)
-    {
-      const double begin = begins[j % n] + (j >= n ? 1.0 : 0.0);
-      const double along = (begin - begins[j0]) / (lastBegin - begins[j0]);
-      // An anchor itself must come out exactly.
-      this->Target[j % n] = (j == j0 ? v0 : v0 + along * (last - v0)) - (j >= n ? 1.0 : 0.0);
-    }
-  }
-}
-
-/// Gives each corner of the target loop the nearest column that has no end of its own yet.
-void LinkingSideColumns::anchorCorners(std::vector<std::pair<std::size_t, double>>& anchors)
-{
-  const std::size_t n = this->Source.size();
   const ClosedPolygon loop(loopPoints(this->Strip.surface.points, this->Strip.target));
-  for (const Index corner : loopCorners(loop))
+  const std::vector<Index> corners = loopCorners(loop);
+  std::vector<double> cornerV;
+  for (const Index corner : corners)
   {
-    const double v = this->Strip.targetV[static_cast<std::size_t>(corner)];
-    const auto same = std::find_if(anchors.begin(), anchors.end(),
-      [&](const auto& anchor) { return wrapped(anchor.second) == wrapped(v); });
-    if (same != anchors.end())
-    {
-      continue;
-    }
-    // The anchors next to it: columns between them, in their order, are free.
-    std::size_t best = n;
-    double least = std::numeric_limits<double>::infinity();
-    double end = v;
-    for (std::size_t j = 0; j < n; ++j)
-    {
-      const double offset = std::remainder(v - this->Target[j], 1.0);
-      const bool isFree = std::none_of(anchors.begin(), anchors.end(), [&](const auto& anchor) {
-        if (anchor.first == j)
-        {
-          return true;
-        }
-        // The ends must follow each other as the columns do.
-        const double columns = std::remainder(this->Source[j] - this->Source[anchor.first], 1.0);
-        const double ends = std::remainder(this->Target[j] + offset - anchor.second, 1.0);
-        return (columns > 0.0) != (ends > 0.0);
-      });
-      if (isFree && std::abs(offset) < least)
-      {
-        best = j;
-        least = std::abs(offset);
-        end = this->Target[j] + offset;
-      }
-    }
-    if (best == n)
-    {
-      this->LostCorners.emplace_back(loop.nodes().row(corner));
-      continue;
-    }
-    const auto place = std::lower_bound(anchors.begin(), anchors.end(),
-      std::make_pair(best, -std::numeric_limits<double>::infinity()));
-    anchors.emplace(place, best, end);
+    cornerV.push_back(this->Strip.targetV[static_cast<std::size_t>(corner)]);
+  }
+  ColumnEnds found = columnEnds(
+    this->Source, loopCorners(ClosedPolygon(this->Ring)), std::move(anchors), this->Turn, cornerV);
+  this->Target = std::move(found.ends);
+  for (const std::size_t corner : found.lostCorners)
+  {
+    this->LostCorners.emplace_back(loop.nodes().row(corners[corner]));
   }
 }
 

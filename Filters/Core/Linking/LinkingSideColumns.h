@@ -92,7 +92,6 @@ public:
 private:
   void placeRing(const PointsRef& ring, double matchTolerance);
   void findEnds();
-  void anchorCorners(std::vector<std::pair<std::size_t, double>>& anchors);
   void measure();
   std::vector<double> fractionsOf(std::size_t column, const std::vector<double>& wanted) const;
   Eigen::RowVector3d onTargetLoop(double v) const;

@@ -9,6 +9,7 @@
 #include "Core/Interior/RingCollapse.h"
 #include "Core/Solids/AffineSweep.h"
 #include "Core/Solids/CapCrossings.h"
+#include "Core/Solids/SolidSides.h"
 #include "Core/Surfaces/SurfacePart.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 
@@ -44,32 +45,6 @@ std::size_t at(Index i)
 SurfacePart partOf(const SolidSurface& solid, const std::vector<Index>& rows)
 {
   return surfacePart(solid.points, solid.triangles, rows);
-}
-
-std::vector<SideTube> linkingSides(const SolidCageInput& input)
-{
-  std::vector<SideTube> sides;
-  for (std::size_t s = 0; s < input.topology.sides.size(); ++s)
-  {
-    const SweepSide& given = input.topology.sides[s];
-    SurfacePart part = partOf(input.solid, given.triangles);
-    SideTube side;
-    side.surface = std::move(part.mesh);
-    for (const Index row : given.triangles)
-    {
-      side.faceIds.push_back(input.solid.faceIds[at(row)]);
-    }
-    for (const Index point : given.sourceLoop)
-    {
-      side.sourceLoop.push_back(part.idOf(point));
-    }
-    if (!input.patches.empty())
-    {
-      side.patches = input.patches[s];
-    }
-    sides.push_back(std::move(side));
-  }
-  return sides;
 }
 
 /// The target quads' boundary nodes are those of the last rings, bit for bit.
@@ -208,8 +183,9 @@ std::vector<FixedNode> pinColumns(const std::vector<FixedNode>& imprinted, RingS
 bool sweepToImage(const SolidCageInput& input, const AffineSweep& image, const TriangleMesh& target,
   const Progress& progress, StageClock& stages, SolidCage& cage)
 {
-  cage.linking = meshRuledSides(input.source.points, cage.loops, linkingSides(input), input.layers,
-    image.map, progressPart(progress, 0.0, 0.4));
+  cage.linking = meshRuledSides(input.source.points, cage.loops,
+    solidSides(input.solid, input.topology, input.patches), input.layers, image.map,
+    progressPart(progress, 0.0, 0.4));
   stages.finish("Linking sides");
   const std::vector<FixedNode> borders = pinColumns(input.imprinted, cage.linking.rings);
   const RingStack& rings = cage.linking.rings;
@@ -290,8 +266,9 @@ SweepProjection projectWithBorders(
 void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
   const TriangleMesh& target, const Progress& progress, StageClock& stages, SolidCage& cage)
 {
-  cage.linking = meshLinkingSides(input.source.points, cage.loops, linkingSides(input),
-    input.layers, input.matchTolerance, progressPart(progress, 0.0, 0.4));
+  cage.linking = meshLinkingSides(input.source.points, cage.loops,
+    solidSides(input.solid, input.topology, input.patches, input.freeSides), input.layers,
+    input.matchTolerance, progressPart(progress, 0.0, 0.4));
   stages.finish("Linking sides");
   SweepProjectionInput projection;
   projection.source = input.source;

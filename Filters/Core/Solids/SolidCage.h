@@ -32,6 +32,7 @@ struct SolidCageInput
   Weights weights = Weights::Cotangent;
   TriangulationImprovement improvement = TriangulationImprovement::Automatic;
   std::vector<FixedNode> imprinted = {}; ///< see SourceQuads::imprinted
+  std::vector<bool> freeSides = {};      ///< see solidSides()
 };
 
 struct SolidCage : SweepCage
@@ -43,6 +44,8 @@ struct SolidCage : SweepCage
   /// Whether nodes had to leave the target's borders (see SolidCageInput::imprinted), or quads
   /// would be inverted.
   bool leftBorders = false;
+  /// Ids of faces whose CAD edges were given up, see makeUnhinderedCage().
+  std::vector<Index> freedSides;
   std::vector<Stage> stages;
 };
 

@@ -4,6 +4,7 @@
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/Solids/ClosedSurface.h"
+#include "Core/Solids/DegenerateTriangles.h"
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Surfaces/FeatureFaces.h"
 #include "Core/Surfaces/OpenEdgeWelding.h"
@@ -218,6 +219,7 @@ SolidSurface makeSolidSurface(const SolidInput& input, const SolidOptions& optio
       solid.faceIds.push_back(input.faceIds[row]);
     }
   }
+  solid.flippedTriangles = flipDegenerateTriangles(solid);
   checkAreas(solid);
 
   const std::vector<Index> twins = closedTwins(solid);

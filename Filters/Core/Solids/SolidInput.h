@@ -49,16 +49,17 @@ SolidInput selectTriangles(const SolidInput& input, const std::vector<Index>& ro
 void checkSolidInput(const SolidInput& input);
 
 /**
- * Merges coincident points, leaves out collapsed triangles, turns the others outward and checks
- * that they bound a solid.
+ * Merges coincident points, leaves out collapsed triangles, flips away those without area (see
+ * flipDegenerateTriangles()), turns the others outward and checks that they bound a solid.
  *
  * Points are merged along open edges and edges without length only, so that a solid that touches
  * itself stays as it is.
  * Costs O(n log n).
  *
- * @throw InvalidInput as checkSolidInput(); a triangle without area; an edge of one triangle (open
- * solid) or more than two; triangles that meet in a point only; a surface that cannot be oriented,
- * encloses nothing or has several shells; a feature angle that leaves one face only.
+ * @throw InvalidInput as checkSolidInput(); a triangle without area that cannot be flipped away; an
+ * edge of one triangle (open solid) or more than two; triangles that meet in a point only; a
+ * surface that cannot be oriented, encloses nothing or has several shells; a feature angle that
+ * leaves one face only.
  */
 SolidSurface makeSolidSurface(const SolidInput& input, const SolidOptions& options = {});
 }

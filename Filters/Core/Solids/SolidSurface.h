@@ -27,6 +27,7 @@ struct SolidSurface
   std::vector<Index> pointRows;    ///< n; row of SolidInput::points, the first of those merged
   Index mergedPoints = 0;          ///< points that were given up for another one
   Index collapsedTriangles = 0;    ///< triangles with two corners in one point, left out
+  Index flippedTriangles = 0;      ///< triangles without area, flipped away
   Index turnedTriangles = 0;       ///< triangles that were turned over
   bool facesByAngle = false;       ///< whether faceIds are those of facesByFeatureAngle()
   double featureAngle = Pi / 6.0;  ///< radians, as asked for

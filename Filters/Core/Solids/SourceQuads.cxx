@@ -9,8 +9,10 @@
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Solids/AffineSweep.h"
+#include "Core/Solids/OpeningCorners.h"
 #include "Core/Solids/SolidCage.h"
 #include "Core/Solids/SolidMessages.h"
+#include "Core/Solids/SolidSides.h"
 #include "Core/Solids/TargetImprint.h"
 #include "Core/Surfaces/FaceSides.h"
 #include "Core/Surfaces/SurfacePart.h"
@@ -47,6 +49,8 @@ constexpr double LeastQuality = 0.05;
 constexpr double MostInverted = 0.01;
 /// Pieces of the target's borders are mapped by their ends where the map bends them.
 constexpr double PieceOfQuad = 0.5;
+/// Layers on which corners are looked at before the quads are made for good.
+constexpr Index LayersLookedAt = 8;
 
 /// Facets that stand for curves of the source cap.
 struct CurveFacets
@@ -249,6 +253,15 @@ FacedCap targetCap(const SolidSurface& solid, const SweepTopology& topology)
   return target;
 }
 
+/// Corners that open on the way to the target want more quads than their own angle does.
+std::vector<CornerFan> fansFor(const SolidSurface& solid, const SweepTopology& topology,
+  const QuadMesh& quads, const Progress& progress)
+{
+  const std::vector<Loop> loops =
+    checkSurface(quads.quads, quads.points.rows(), "source quads").loops;
+  return openingCorners(quads, loops, solidSides(solid, topology), LayersLookedAt, progress);
+}
+
 std::string notKept(const SweepTopology& topology, const std::string& why)
 {
   return "the borders between the target's " + listFaces(topology.targetFaceIds) +
@@ -405,27 +418,37 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
     throw InvalidInput("the quad size is not a length. Set QuadSize to a positive length, or to 0 "
                        "for a size that fits the source cap.");
   }
-  const CapToMesh cap = capToMesh(input, solid, topology, size);
+  CapToMesh cap = capToMesh(input, solid, topology, size);
   const auto plainQuads = [&](const Progress& part) {
     return sourceQuadsOf(
       meshCapWithQuads(cap.cap, cap.faceIds, cap.options, part), cap.options.size);
   };
-  if (topology.targetFaceIds.size() < 2 || !withBorders)
-  {
-    return plainQuads(progress);
-  }
-  const FacedCap target = targetCap(solid, topology);
-  const Progress first = progressPart(progress, 0.0, 0.5);
+  const bool imprints = topology.targetFaceIds.size() > 1 && withBorders;
+  const Progress first = imprints ? progressPart(progress, 0.0, 0.5) : progress;
   const Progress second = progressPart(progress, 0.5, 1.0);
   if (const std::optional<AffineSweep> affine = findAffineSweep(solid, topology))
   {
+    if (!imprints)
+    {
+      return plainQuads(progress);
+    }
     const AffineMap back = inverse(affine->map);
     const CapMaps maps{ [&](const PointsRef& points) { return affine->map.apply(points); },
       [&](const PointsRef& points) { return back.apply(points); } };
-    SourceQuads imprinted = imprintedQuads(cap, topology, target, maps, 0.0, first);
+    SourceQuads imprinted =
+      imprintedQuads(cap, topology, targetCap(solid, topology), maps, 0.0, first);
     return betterOf(cap, topology, std::move(imprinted), plainQuads(second));
   }
-  SourceQuads plain = plainQuads(first);
+  SourceQuads plain = plainQuads(progressPart(first, 0.0, 0.5));
+  cap.options.fans = fansFor(solid, topology, plain.mesh, progressPart(first, 0.5, 0.6));
+  if (!cap.options.fans.empty())
+  {
+    plain = plainQuads(progressPart(first, 0.6, 1.0));
+  }
+  if (!imprints)
+  {
+    return plain;
+  }
   const std::optional<SweepProjection> disks = firstProjection(solid, topology, plain.mesh);
   if (!disks)
   {
@@ -441,8 +464,8 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
     return plain;
   }
   const CapMaps maps = mapsThroughDisks(*disks->source, *disks->target);
-  SourceQuads imprinted =
-    imprintedQuads(cap, topology, target, maps, PieceOfQuad * cap.options.size, second);
+  SourceQuads imprinted = imprintedQuads(
+    cap, topology, targetCap(solid, topology), maps, PieceOfQuad * cap.options.size, second);
   return betterOf(cap, topology, std::move(imprinted), std::move(plain));
 }
 

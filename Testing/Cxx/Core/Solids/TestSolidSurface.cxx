@@ -4,6 +4,7 @@
 
 #include "Support/SolidShapes.h"
 
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <set>
@@ -321,6 +322,47 @@ TEST(SolidSurface, ATriangleWithoutArea)
   }
   expectBad(test::withTriangle(input, 0, n, 1, 77), "cell 520 of face 77");
   expectBad(test::withTriangle(input, 0, n, 1, 77), "without area");
+}
+
+TEST(SolidSurface, TrianglesWithoutAreaThatFillACrackAreFlippedAway)
+{
+  const SolidInput whole = box(2, 1, 1);
+  const double volume = volumeOf(makeSolidSurface(whole));
+  // Each edge in turn gets a point, or three, which one of its two triangles does not know.
+  for (Index row = 0; row < whole.triangles.rows(); ++row)
+  {
+    for (const Index points : { 1, 3 })
+    {
+      for (Index c = 0; c < 3; ++c)
+      {
+        const Index from = whole.triangles(row, c);
+        const Index to = whole.triangles(row, (c + 1) % 3);
+        const Index far = whole.triangles(row, (c + 2) % 3);
+        const Index n = whole.points.rows();
+        SolidInput input = whole;
+        input.points.conservativeResize(n + points, 3);
+        for (Index k = 0; k < points; ++k)
+        {
+          input.points.row(n + k) = whole.points.row(from) +
+            static_cast<double>(k + 1) / 4.0 * (whole.points.row(to) - whole.points.row(from));
+        }
+        // This triangle knows the points, and a fan without area leads back to the whole edge.
+        input.triangles.row(row) << far, from, n;
+        const Index face = whole.faceIds[static_cast<std::size_t>(row)];
+        for (Index k = 0; k < points; ++k)
+        {
+          const Index next = k + 1 < points ? n + k + 1 : to;
+          input = test::withTriangle(input, far, n + k, next, face);
+          input = test::withTriangle(input, n + k, from, next, 99);
+        }
+        const SolidSurface solid = makeSolidSurface(input);
+        EXPECT_EQ(solid.flippedTriangles, points);
+        EXPECT_NEAR(volumeOf(solid), volume, 1e-14);
+        EXPECT_EQ(std::count(solid.faceIds.begin(), solid.faceIds.end(), 99), 0);
+        EXPECT_EQ(solid.triangles.rows(), whole.triangles.rows() + 2 * points);
+      }
+    }
+  }
 }
 
 TEST(SolidSurface, OpenWhereAFaceIsMissing)

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Interior/InteriorJudgement.h"
+
+#include "Core/Hexahedra/HexQuality.h"
+#include "Core/Interior/SweptHexes.h"
+
+namespace hexsweep
+{
+std::vector<Index> uncertifiedHexes(const SweepCage& cage, const PointsRef& points,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  const Hexes hexes = sweptHexes(cage.quads, points, cage.boundary.numberOfLayers());
+  const std::vector<HexQuality> qualities =
+    hexQualities(points, hexes, true, parallelFor, progress);
+  std::vector<Index> bad;
+  for (std::size_t h = 0; h < qualities.size(); ++h)
+  {
+    if (qualities[h].validity != Validity::Certified)
+    {
+      bad.push_back(static_cast<Index>(h));
+    }
+  }
+  return bad;
+}
+}

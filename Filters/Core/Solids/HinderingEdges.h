@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief CAD edges of the linking sides that are worth less than valid hexahedra.
+ */
+#ifndef hexsweep_HinderingEdges_h
+#define hexsweep_HinderingEdges_h
+
+#include "Core/Solids/SolidCage.h"
+
+namespace hexsweep
+{
+/**
+ * Makes a cage whose columns keep to CAD edges where that is no hindrance.
+ *
+ * The cage is filled by blendInterior(); where hexahedra are bad on sides with such columns, it is
+ * made again without the CAD edges of these sides, and that one is taken if it has less than half
+ * of the bad hexahedra.
+ *
+ * @return with SolidCage::freedSides where edges were given up.
+ * @throw as makeSolidCage().
+ */
+SolidCage makeUnhinderedCage(
+  SolidCageInput input, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+}
+
+#endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/CurveNodes.h"
 
+#include "Core/Surfaces/FlatFlips.h"
 #include "Core/Surfaces/SurfaceRefinement.h"
 
 #include <algorithm>
@@ -11,6 +12,66 @@ namespace
 {
 /// Nodes go to a point of a curve this near, relative to the edges beside them.
 constexpr double SnapDistance = 1e-3;
+/// More nodes on an edge make a fan that takes too many flips (their square) to become good
+/// triangles.
+constexpr std::size_t FewNodes = 32;
+
+/// As refineSurface(); edges are halved over and over, with flips in between, so that no point ever
+/// has many neighbours.
+RefinedSurface halvedSurface(const TriangleMesh& cap, const std::vector<CapCurve>& curves,
+  const std::vector<EdgeSubdivision>& subdivisions)
+{
+  struct Piece
+  {
+    std::size_t subdivision;
+    std::size_t begin; // of its fractions
+    std::size_t end;
+    Index from;
+    Index to;
+  };
+  FlatFlips flips(cap);
+  for (const CapCurve& curve : curves)
+  {
+    for (std::size_t k = 1; k < curve.points.size(); ++k)
+    {
+      flips.keep(curve.points[k - 1], curve.points[k]);
+    }
+  }
+  RefinedSurface refined;
+  std::vector<Piece> pieces;
+  for (std::size_t s = 0; s < subdivisions.size(); ++s)
+  {
+    refined.inserted.emplace_back(subdivisions[s].fractions.size(), -1);
+    pieces.push_back(
+      { s, 0, subdivisions[s].fractions.size(), subdivisions[s].from, subdivisions[s].to });
+  }
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const Piece piece = pieces[p];
+    if (piece.begin == piece.end)
+    {
+      continue;
+    }
+    const EdgeSubdivision& whole = subdivisions[piece.subdivision];
+    const std::size_t middle = (piece.begin + piece.end) / 2;
+    const double fraction = whole.fractions[middle];
+    const Index node = flips.insertOn(piece.from, piece.to,
+      (1.0 - fraction) * cap.points.row(whole.from) + fraction * cap.points.row(whole.to));
+    refined.inserted[piece.subdivision][middle] = node;
+    pieces.push_back({ piece.subdivision, piece.begin, middle, piece.from, node });
+    pieces.push_back({ piece.subdivision, middle + 1, piece.end, node, piece.to });
+  }
+  refined.mesh = flips.mesh();
+  return refined;
+}
+
+RefinedSurface refinedSurface(const TriangleMesh& cap, const std::vector<CapCurve>& curves,
+  const std::vector<EdgeSubdivision>& subdivisions)
+{
+  const bool few = std::all_of(subdivisions.begin(), subdivisions.end(),
+    [](const EdgeSubdivision& one) { return one.fractions.size() <= FewNodes; });
+  return few ? refineSurface(cap, subdivisions, false) : halvedSurface(cap, curves, subdivisions);
+}
 }
 
 DividedCap putNodesOnCurves(const TriangleMesh& cap, const std::vector<CapCurve>& curves,
@@ -57,7 +118,7 @@ DividedCap putNodesOnCurves(const TriangleMesh& cap, const std::vector<CapCurve>
       }
     }
   }
-  RefinedSurface refined = refineSurface(cap, subdivisions, false);
+  RefinedSurface refined = refinedSurface(cap, curves, subdivisions);
   prepared.input.mesh = std::move(refined.mesh);
   prepared.input.stays.assign(static_cast<std::size_t>(prepared.input.mesh.points.rows()), false);
   for (const Index node : nodes)

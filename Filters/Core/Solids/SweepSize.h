@@ -11,7 +11,7 @@
 namespace hexsweep
 {
 /// Hexahedra that a sweep may have where nobody asks for a size.
-constexpr Index MostChosenHexes = 1000000;
+constexpr Index MostChosenHexes = 250000;
 
 /// Length of the sides from source to target: their area over the mean length of their loops.
 double sideLength(const SolidSurface& solid, const SweepTopology& topology);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/FlatFlips.h"
 
+#include "Core/Common/Errors.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace hexsweep
@@ -20,6 +23,12 @@ constexpr double RelativeFlatness = 1e-13;
 
 /// Termination is proved for exact numbers only.
 constexpr Index GreatestFlipsPerHalfEdge = 1000;
+
+std::uint64_t keyOf(Index a, Index b)
+{
+  const auto low = static_cast<std::uint64_t>(std::min(a, b));
+  return low << 32 | static_cast<std::uint64_t>(std::max(a, b));
+}
 }
 
 FlatFlips::FlatFlips(const TriangleMesh& mesh)
@@ -28,6 +37,11 @@ FlatFlips::FlatFlips(const TriangleMesh& mesh)
   for (Index i = 0; i < mesh.points.rows(); ++i)
   {
     this->Positions.emplace_back(mesh.points.row(i));
+  }
+  this->Outgoing.assign(this->Positions.size(), -1);
+  for (Index t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    this->update(t);
   }
   const double size = (mesh.points.colwise().maxCoeff() - mesh.points.colwise().minCoeff()).norm();
   const double rounding =
@@ -103,7 +117,7 @@ bool FlatFlips::isFlat(Index half, const Eigen::RowVector3d& c) const
 bool FlatFlips::wouldFlip(Index half, const Eigen::RowVector3d& apex) const
 {
   const Index other = this->Connectivity.twin(half);
-  if (other < 0)
+  if (other < 0 || this->isKept(half))
   {
     return false;
   }
@@ -158,6 +172,8 @@ void FlatFlips::flipFrom(std::vector<Index> open)
     }
     this->Connectivity.flip(half);
     ++this->NumberOfFlips;
+    this->update(half / 3);
+    this->update(other / 3);
     const Index left = half - half % 3;
     const Index right = other - other % 3;
     open.insert(open.end(), { left, left + 1, right, right + 1 });
@@ -175,23 +191,100 @@ void FlatFlips::flipAll()
 Index FlatFlips::add(const Eigen::RowVector3d& position)
 {
   this->Positions.push_back(position);
+  this->Outgoing.push_back(-1);
   return this->numberOfPoints() - 1;
+}
+
+void FlatFlips::update(Index triangle)
+{
+  for (Index half = 3 * triangle; half < 3 * triangle + 3; ++half)
+  {
+    this->Outgoing[static_cast<std::size_t>(this->Connectivity.from(half))] = half;
+  }
+}
+
+void FlatFlips::splitEdge(Index half, Index vertex)
+{
+  const Index right = this->Connectivity.twin(half);
+  const Index before = this->Connectivity.numberOfTriangles();
+  std::vector<Index> changed = { half / 3, before };
+  if (right >= 0)
+  {
+    changed = { half / 3, right / 3, before, before + 1 };
+  }
+  this->Connectivity.splitEdge(half, vertex);
+  std::vector<Index> open;
+  for (const Index t : changed)
+  {
+    this->update(t);
+    open.insert(open.end(), { 3 * t, 3 * t + 1, 3 * t + 2 });
+  }
+  this->flipFrom(std::move(open));
 }
 
 Index FlatFlips::halve(Index half)
 {
-  const Index left = half / 3;
-  const Index right = this->Connectivity.twin(half) / 3;
-  const Index before = this->Connectivity.numberOfTriangles();
   const Index vertex = this->add(
     0.5 * (this->point(this->Connectivity.from(half)) + this->point(this->Connectivity.to(half))));
-  this->Connectivity.splitEdge(half, vertex);
-  std::vector<Index> open;
-  for (const Index t : { left, right, before, before + 1 })
+  this->splitEdge(half, vertex);
+  return vertex;
+}
+
+void FlatFlips::keep(Index from, Index to)
+{
+  this->Kept.insert(keyOf(from, to));
+}
+
+bool FlatFlips::isKept(Index half) const
+{
+  return !this->Kept.empty() &&
+    this->Kept.count(keyOf(this->Connectivity.from(half), this->Connectivity.to(half))) > 0;
+}
+
+Index FlatFlips::halfEdge(Index from, Index to) const
+{
+  const Index first = this->Outgoing[static_cast<std::size_t>(from)];
+  for (Index half = first; half >= 0;)
   {
-    open.insert(open.end(), { 3 * t, 3 * t + 1, 3 * t + 2 });
+    if (this->Connectivity.to(half) == to)
+    {
+      return half;
+    }
+    half = this->Connectivity.twin(HalfEdgeTriangles::previous(half));
+    if (half == first)
+    {
+      return -1;
+    }
   }
-  this->flipFrom(std::move(open));
+  // Beyond the boundary, the other way round.
+  for (Index twin = first < 0 ? -1 : this->Connectivity.twin(first); twin >= 0;)
+  {
+    const Index half = HalfEdgeTriangles::next(twin);
+    if (this->Connectivity.to(half) == to)
+    {
+      return half;
+    }
+    twin = this->Connectivity.twin(half);
+  }
+  return -1;
+}
+
+Index FlatFlips::insertOn(Index from, Index to, const Eigen::RowVector3d& place)
+{
+  Index half = this->halfEdge(from, to);
+  half = half < 0 ? this->halfEdge(to, from) : half;
+  if (half < 0)
+  {
+    throw InvalidInput("there is no edge from point " + std::to_string(from) + " to point " +
+      std::to_string(to) + " into which a point could be put.");
+  }
+  const Index vertex = this->add(place);
+  if (this->isKept(half))
+  {
+    this->keep(from, vertex);
+    this->keep(vertex, to);
+  }
+  this->splitEdge(half, vertex);
   return vertex;
 }
 
@@ -204,6 +297,10 @@ Index FlatFlips::insertCentroid(Index triangle)
       this->point(this->Connectivity.from(first + 2))) /
     3.0);
   this->Connectivity.splitTriangle(triangle, vertex);
+  for (const Index t : { triangle, before, before + 1 })
+  {
+    this->update(t);
+  }
   this->flipFrom({ 3 * triangle, 3 * before, 3 * (before + 1) });
   return vertex;
 }

@@ -9,6 +9,9 @@
 
 #include "Core/Surfaces/HalfEdgeTriangles.h"
 
+#include <cstdint>
+#include <unordered_set>
+
 namespace hexsweep
 {
 /// A mesh while its edges are flipped and points are added; its surface stays the same.
@@ -43,6 +46,12 @@ public:
   /// Whether flipAll() would flip an edge if the triangle left of it had its apex elsewhere.
   bool wouldFlip(Index half, const Eigen::RowVector3d& apex) const;
 
+  /// An edge that is never flipped, nor are the pieces into which insertOn() cuts it.
+  void keep(Index from, Index to);
+
+  /// Adds a point on an edge, then flips where that helps. @return its id.
+  Index insertOn(Index from, Index to, const Eigen::RowVector3d& place);
+
   /// Flips flat edges of negative weight until there are none.
   void flipAll();
 
@@ -58,11 +67,20 @@ private:
   double cotangent(Index half) const;
   /// Whether an edge leads from the start of `half` to a vertex.
   bool existsEdge(Index half, Index to) const;
+  bool isKept(Index half) const;
+  /// The half-edge from one vertex to another; -1: there is none.
+  Index halfEdge(Index from, Index to) const;
+  /// Adds a vertex on an edge and flips what lies around it.
+  void splitEdge(Index half, Index vertex);
   void flipFrom(std::vector<Index> open);
+  /// After a triangle has changed.
+  void update(Index triangle);
   Index add(const Eigen::RowVector3d& position);
 
   HalfEdgeTriangles Connectivity;
   std::vector<Eigen::RowVector3d> Positions;
+  std::vector<Index> Outgoing; // a half-edge that begins at each point, -1: none
+  std::unordered_set<std::uint64_t> Kept;
   double Tolerance; // distance of the two diagonals of four coplanar points
   Index NumberOfFlips = 0;
 };

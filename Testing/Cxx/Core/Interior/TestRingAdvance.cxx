@@ -54,6 +54,14 @@ TEST(RingAdvance, StraightAndBentSweepsOnlyAdvance)
     0.0);
 }
 
+TEST(RingAdvance, ThroughAWallThereIsNoWayBack)
+{
+  // From the outside of a tube's wall to its inside, with a centre that rounding moves.
+  const auto inward = [](double t) { return 3.0 - 0.2 * t; };
+  EXPECT_EQ(
+    backwardShare(rings(10, inward, [](double t) { return 1e-15 * std::sin(40.0 * t); })), 0.0);
+}
+
 TEST(RingAdvance, ACupTurnsBack)
 {
   // Up the outside to 30, in over the rim, down the inside to 15.

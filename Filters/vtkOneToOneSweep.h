@@ -108,7 +108,7 @@ public:
   /// Edge length of the hexahedra, in the unit of the coordinates: sets the size of quads that are
   /// made and of layers where QuadSize, LayerSize, NumberOfLayers (0: the default here) and
   /// LayerPositions do not. 0 (the default): about a thousand quads, more where holes are small,
-  /// layers as thick as these are wide, at least one, and at most a million hexahedra.
+  /// layers as thick as these are wide, at least one, and at most a quarter of a million hexahedra.
   vtkSetMacro(Size, double);
   vtkGetMacro(Size, double);
   ///@}

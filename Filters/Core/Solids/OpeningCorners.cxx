@@ -15,9 +15,10 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double GoodSine = 0.5; // 150 degrees
-constexpr double WorthIt = 1.25; // of the sine that a node has
-constexpr Index MostFurther = 2; // quads that a node gets
+constexpr double WidestSingle = 145.0 * Pi / 180.0; // of corners that one quad may fill
+constexpr double GoodSine = 0.5;                    // 150 degrees
+constexpr double WorthIt = 1.25;                    // of the sine that a node has
+constexpr Index MostFurther = 2;                    // quads that a node gets
 
 /// What the quads have at each of their points.
 struct QuadCorners
@@ -128,6 +129,7 @@ std::vector<CornerFan> openingCorners(const QuadMesh& quads, const std::vector<L
   const std::vector<SideTube>& sides, Index layers, const Progress& progress)
 {
   std::vector<CornerFan> fans;
+  bool isWanting = false;
   const std::optional<LinkingMesh> columns = columnsOf(quads, loops, sides, layers, progress);
   if (!columns)
   {
@@ -158,14 +160,17 @@ std::vector<CornerFan> openingCorners(const QuadMesh& quads, const std::vector<L
       {
         own = 2.0 * Pi - own.array();
       }
-      const Index count = corners.count[static_cast<std::size_t>(loops[l][j])];
-      const Index best = bestCount(own, count);
-      if (best > count)
+      const auto node = static_cast<std::size_t>(loops[l][j]);
+      const Index count = corners.count[node];
+      // Other quads may leave a single one where there are more now.
+      const Index best = bestCount(own, corners.angle[node] < WidestSingle ? 1 : count);
+      if (best > count || (best > 1 && corners.angle[node] < WidestSingle))
       {
         fans.push_back({ quads.points.row(loops[l][j]), best });
+        isWanting = isWanting || best > count;
       }
     }
   }
-  return fans;
+  return isWanting ? fans : std::vector<CornerFan>{};
 }
 }

@@ -23,8 +23,8 @@ namespace hexsweep
  *
  * @param loops of the quads, see checkSurface().
  * @param sides one a loop, see meshLinkingSides().
- * @return the nodes that want more quads; none where the sides cannot be meshed, which the sweep
- *         itself will tell.
+ * @return all corners that are to have more than one quad, where there are any with too few; none
+ * where the sides cannot be meshed, which the sweep itself will tell.
  * @throw Aborted.
  */
 std::vector<CornerFan> openingCorners(const QuadMesh& quads, const std::vector<Loop>& loops,

@@ -106,8 +106,7 @@ std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
     return sweepSolid(
       solid, topology, own, stages, progressPart(progress, 0.03, 1.0), made.hexes, made.boundary);
   };
-  const std::vector<std::string> warnings =
-    named.sourceFaceIds.empty() && named.targetFaceIds.empty()
+  std::vector<std::string> warnings = named.sourceFaceIds.empty() && named.targetFaceIds.empty()
     ? bestOfSweeps(choice, sweep, mesh)
     : sweep(choice.sweeps.front(), mesh).warnings;
   std::vector<std::string> ranking;

@@ -115,7 +115,7 @@ std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
       settings.tell(messageAbout(solid.body, text));
     }
   }
-  const std::vector<std::string> warnings =
+  std::vector<std::string> warnings =
     !isNamed ? bestOfSweeps(choice, sweep, mesh) : sweep(choice.sweeps.front(), mesh).warnings;
   std::vector<std::string> ranking;
   for (const std::string& line : describeRanking(choice.ranking))

@@ -150,7 +150,7 @@ AttachedLoops attach(const PointsRef& points, const std::vector<Loop>& capLoops,
   return attached;
 }
 
-CapBoundary splitAtUnion(TriangleMesh mesh, const AttachedLoops& attached,
+CapBoundary splitAtUnion(const TriangleMesh& mesh, const AttachedLoops& attached,
   const std::vector<const Points*>& rings, const std::vector<std::vector<double>>& united)
 {
   CapBoundary cap;
@@ -365,7 +365,7 @@ CapBoundaries matchCapBoundaries(const Cap& first, const Cap& second,
     result.united.push_back(uniteParameters(
       pairs[p].first.rows(), { &firstAttached.places[p], &secondAttached.places[p] }));
   }
-  result.first = splitAtUnion(std::move(upright), firstAttached, firstRings, result.united);
+  result.first = splitAtUnion(upright, firstAttached, firstRings, result.united);
   result.second = splitAtUnion(turned, secondAttached, secondRings, result.united);
   result.first.maximumDistance = farthest(onFirst);
   result.second.maximumDistance = farthest(onSecond);

@@ -207,6 +207,7 @@ public:
     const Points image = map.apply(this->Source);
     const Index n = image.rows();
     const Index step = std::max<Index>(1, n / Most);
+    Index count = 0;
     double sum = 0.0;
     for (Index i = 0; i < n; i += step)
     {
@@ -214,9 +215,10 @@ public:
       {
         const Eigen::RowVector3d place = (1.0 - along) * this->Source.row(i) + along * image.row(i);
         sum += this->Search.closest(place).distance;
+        ++count;
       }
     }
-    return sum / static_cast<double>(3 * ((n + step - 1) / step));
+    return sum / static_cast<double>(count);
   }
 
 private:
@@ -345,13 +347,12 @@ std::optional<AffineSweep> findAffineSweep(const SolidSurface& solid, const Swee
 {
   const SweepShape shape = sweepShape(solid, topology);
   const AffineMap guess = transport(shape);
-  const std::optional<AffineSweep> byNodes = sweepByNodes(shape, guess);
+  std::optional<AffineSweep> byNodes = sweepByNodes(shape, guess);
   if (byNodes && byNodes->isTranslation)
   {
     return byNodes;
   }
-  const std::optional<AffineSweep> translation =
-    byNodes ? std::nullopt : translationNear(shape, guess);
+  std::optional<AffineSweep> translation = byNodes ? std::nullopt : translationNear(shape, guess);
   if (translation)
   {
     return translation;

@@ -120,11 +120,11 @@ std::optional<Point> overlap(const Triangle& first, const Triangle& second)
 
 std::optional<Point> crossingOf(const Triangle& first, const Triangle& second)
 {
-  if (const std::optional<Point> place = pierced(first, second))
+  if (std::optional<Point> place = pierced(first, second))
   {
     return place;
   }
-  if (const std::optional<Point> place = pierced(second, first))
+  if (std::optional<Point> place = pierced(second, first))
   {
     return place;
   }

@@ -30,8 +30,8 @@ TEST_P(WanderingEdges, DoNotSpoilTheMesh)
   EXPECT_GT(test::report(sweep.hexes(), hexsweep::reports::MinScaledJacobian), GetParam().least);
 }
 
-// With wandering edges kept: 22 of 3536 hexahedra inverted; least 0.007; more than 100 s; 8727 of 64675
-// inverted.
+// With wandering edges kept: 22 of 3536 hexahedra inverted; least 0.007; more than 100 s; 8727 of
+// 64675 inverted.
 INSTANTIATE_TEST_SUITE_P(Solids, WanderingEdges,
   testing::Values(Wanderer{ "kept_edges_wander/groove_tilted_mini_refused", 0.38 },
     Wanderer{ "kept_edges_wander/rib_tilted_mini_sj005", 0.5 },

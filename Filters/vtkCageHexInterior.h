@@ -85,10 +85,10 @@ public:
 
   ///@{
   /**
-   * The method; AUTOMATIC by default: BLEND, and where its hexahedra are not all certified, even
-   * after EnsureValid, the same with bulges of the caps that fade into the volume, then
-   * LAYER_MARCH; the best is kept. `SweepReportMethod` in the field data of the output says what
-   * ran.
+   * The method; AUTOMATIC by default: BLEND, or the same with bulges of the caps that fade into the
+   * volume where the caps bulge in different ways and that promises more; where its hexahedra are
+   * not all certified, even after EnsureValid, the other of the two and LAYER_MARCH; the best is
+   * kept. `SweepReportMethod` in the field data of the output says what ran.
    *
    * A named method gives that method; EnsureValid then untangles locally and nothing else is done.
    * MEAN_VALUE_COORDINATES and GREEN_COORDINATES visit every triangle of the boundary for every
@@ -137,8 +137,9 @@ public:
 
   ///@{
   /**
-   * With the method AUTOMATIC and EnsureValid: raise the scaled Jacobians afterwards, a fixed
-   * number of times round the mesh. No certificate is lost, and the least scaled Jacobian never
+   * With the method AUTOMATIC and EnsureValid: raise the least scaled Jacobian up to what the
+   * boundary allows (`SweepReportFloorScaledJacobian`), then the others, a fixed number of times
+   * round the mesh. No certificate is lost, and the least scaled Jacobian never
    * falls. On by default.
    */
   vtkSetMacro(ImproveQuality, bool);

@@ -10,7 +10,7 @@ namespace hexsweep
 {
 namespace
 {
-/// A column that leans more than this out of the normal says nothing about the quads below it.
+/// Below it a column is LeaningColumns; which side of the surface it is on, the others tell.
 constexpr double LeastColumnHeight = 0.05;
 }
 
@@ -21,7 +21,8 @@ double cornerScaledJacobian(
 }
 
 CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
-  const TriangleMesh& surface, const std::vector<ColumnDirection>& columns, const PointsRef& start)
+  const TriangleMesh& surface, const std::vector<ColumnDirection>& columns, const PointsRef& start,
+  LeaningColumns leaning)
   : CapQuads(quads)
   , Surface(surface)
 {
@@ -35,18 +36,7 @@ CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
   }
   this->Side = area < 0.0 ? -1.0 : 1.0;
 
-  std::vector<Index> columnOfNode(fixed.size(), -1);
-  this->ColumnNormals.resize(static_cast<Index>(columns.size()), 3);
-  for (std::size_t c = 0; c < columns.size(); ++c)
-  {
-    const Eigen::RowVector3d along = columns[c].direction.normalized();
-    const double height = this->Side * along.dot(places.normals.row(columns[c].point));
-    if (std::abs(height) >= LeastColumnHeight)
-    {
-      this->ColumnNormals.row(static_cast<Index>(c)) = height < 0.0 ? -along : along;
-      columnOfNode[static_cast<std::size_t>(columns[c].point)] = static_cast<Index>(c);
-    }
-  }
+  const std::vector<Index> columnOfNode = this->setColumns(columns, places.normals);
 
   const auto isFixed = [&](Index node) { return fixed[static_cast<std::size_t>(node)]; };
   std::vector<bool> used(fixed.size(), false);
@@ -61,7 +51,12 @@ CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
         !isFixed(corner.node[0]) || !isFixed(corner.node[1]) || !isFixed(corner.node[2]);
       this->Corners.push_back(corner);
       corner.column = columnOfNode[static_cast<std::size_t>(corner.node[0])];
-      if (corner.column >= 0)
+      if (corner.column >= 0 &&
+        (this->ColumnHeights[corner.column] >= LeastColumnHeight ||
+          (leaning == LeaningColumns::WhereUpright &&
+            cornerScaledJacobian(start.row(corner.node[1]) - start.row(corner.node[0]),
+              start.row(corner.node[2]) - start.row(corner.node[0]),
+              this->ColumnNormals.row(corner.column)) > 0.0)))
       {
         this->Corners.push_back(corner);
       }
@@ -74,6 +69,31 @@ CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
       this->FreeNodes.push_back(static_cast<Index>(i));
     }
   }
+}
+
+std::vector<Index> CapCorners::setColumns(
+  const std::vector<ColumnDirection>& columns, const PointsRef& normals)
+{
+  const Index count = static_cast<Index>(columns.size());
+  this->ColumnNormals.resize(count, 3);
+  this->ColumnHeights.resize(count);
+  std::vector<Index> columnOfNode(static_cast<std::size_t>(normals.rows()), -1);
+  for (Index c = 0; c < count; ++c)
+  {
+    const ColumnDirection& column = columns[static_cast<std::size_t>(c)];
+    this->ColumnNormals.row(c) = column.direction.normalized();
+    this->ColumnHeights[c] = this->Side * this->ColumnNormals.row(c).dot(normals.row(column.point));
+    columnOfNode[static_cast<std::size_t>(column.point)] = c;
+  }
+  const double most = this->ColumnHeights.sum() < 0.0 ? -1.0 : 1.0;
+  for (Index c = 0; c < count; ++c)
+  {
+    double& height = this->ColumnHeights[c];
+    const double side = std::abs(height) < LeastColumnHeight ? most : std::copysign(1.0, height);
+    this->ColumnNormals.row(c) *= side;
+    height = std::abs(height);
+  }
+  return columnOfNode;
 }
 
 SurfacePlaces CapCorners::place(const PointsRef& points) const

@@ -17,6 +17,13 @@ struct ColumnDirection
   Eigen::RowVector3d direction; ///< any length but zero
 };
 
+/// Columns that lean so far over the surface that their corners may be beyond what quads can mend.
+enum class LeaningColumns
+{
+  PassedOver,
+  WhereUpright ///< at corners that are not turned over at the start
+};
+
 /// Corner of a quad: its node, the next one of the quad and the previous one.
 struct QuadCorner
 {
@@ -60,7 +67,8 @@ public:
    * @param start   n x 3: on or near the surface; decides which side of it is up.
    */
   CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed, const TriangleMesh& surface,
-    const std::vector<ColumnDirection>& columns, const PointsRef& start);
+    const std::vector<ColumnDirection>& columns, const PointsRef& start,
+    LeaningColumns leaning = LeaningColumns::PassedOver);
 
   const std::vector<QuadCorner>& corners() const { return this->Corners; }
   const std::vector<Index>& freeNodes() const { return this->FreeNodes; }
@@ -79,15 +87,23 @@ public:
     return normals.row(corner.node[0]);
   }
 
+  /// Sine of the angle between a column and the surface where it stands, in [0, 1].
+  double columnHeight(Index column) const { return this->ColumnHeights[column]; }
+
   CornerQuality measure(const PointsRef& points) const;
 
 private:
+  /// @param normals n x 3, upward. @return the column of each node, or -1.
+  std::vector<Index> setColumns(
+    const std::vector<ColumnDirection>& columns, const PointsRef& normals);
+
   Quads CapQuads;
   SurfaceSearch Surface;
   double Side = 1.0;
   std::vector<QuadCorner> Corners;
   std::vector<Index> FreeNodes;
   Points ColumnNormals;
+  Eigen::VectorXd ColumnHeights;
 };
 }
 

@@ -31,6 +31,29 @@ TangentFrame tangentFrame(const Eigen::RowVector3d& normal)
   return frame;
 }
 
+/// The plane's axes, and the normal.
+Eigen::Matrix3d spaceFrame(const Eigen::RowVector3d& normal)
+{
+  Eigen::Matrix3d frame;
+  frame << tangentFrame(normal), normal;
+  return frame;
+}
+
+/// A term that does not look at what is along the third axis.
+ColumnCornerTerm inSpace(const CornerTerm& plane)
+{
+  ColumnCornerTerm term{ plane.value, CornerEdges::Zero(), Eigen::Matrix<double, 6, 6>::Zero() };
+  term.gradient.topRows<2>() = plane.gradient;
+  for (int e = 0; e < 2; ++e)
+  {
+    for (int f = 0; f < 2; ++f)
+    {
+      term.curvature.block<2, 2>(3 * e, 3 * f) = plane.curvature.block<2, 2>(2 * e, 2 * f);
+    }
+  }
+  return term;
+}
+
 /// The edges of a corner are `next - node` and `previous - node`: signs of nodes 0, 1, 2 in each.
 constexpr double EdgeSign[3][2] = { { -1.0, -1.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } };
 }
@@ -135,10 +158,12 @@ CapDescent::~CapDescent() = default;
 /// The sum of the terms, about one set of points: steps are taken in their tangent planes.
 struct CapDescent::Energy
 {
-  Energy(const CapCorners& cap, System& equations, const Term& term, const Points& points)
+  Energy(const CapCorners& cap, System& equations, const Term& term, const ColumnTerm& columnTerm,
+    const Points& points)
     : Cap(cap)
     , Equations(equations)
-    , TermOf(term)
+    , PlaneTermOf(term)
+    , ColumnTermOf(columnTerm)
     , Gradient(2 * static_cast<Index>(cap.freeNodes().size()))
   {
     const Points normals = cap.place(points).normals;
@@ -148,18 +173,18 @@ struct CapDescent::Energy
     }
     for (const QuadCorner& corner : cap.corners())
     {
-      this->Planes.push_back(tangentFrame(cap.normal(corner, normals)));
+      this->Spaces.push_back(spaceFrame(cap.normal(corner, normals)));
     }
   }
 
   double valueAt(const Points& at) const
   {
     double sum = 0.0;
-    for (std::size_t c = 0; c < this->Planes.size(); ++c)
+    for (std::size_t c = 0; c < this->Spaces.size(); ++c)
     {
       if (this->Cap.corners()[c].movable)
       {
-        sum += this->TermOf(c, this->edgesOf(c, at)).value;
+        sum += this->termOf(c, at).value;
       }
     }
     return sum;
@@ -172,11 +197,11 @@ struct CapDescent::Energy
     this->Gradient.setZero();
     double* values = this->Equations.Hessian.valuePtr();
     std::fill(values, values + this->Equations.Hessian.nonZeros(), 0.0);
-    for (std::size_t c = 0; c < this->Planes.size(); ++c)
+    for (std::size_t c = 0; c < this->Spaces.size(); ++c)
     {
       if (this->Cap.corners()[c].movable)
       {
-        const CornerTerm t = this->TermOf(c, this->edgesOf(c, at));
+        const ColumnCornerTerm t = this->termOf(c, at);
         sum += t.value;
         this->add(c, t);
       }
@@ -210,26 +235,29 @@ struct CapDescent::Energy
   const Eigen::VectorXd& gradient() const { return this->Gradient; }
 
 private:
-  Eigen::Matrix2d edgesOf(std::size_t c, const Points& at) const
+  ColumnCornerTerm termOf(std::size_t c, const Points& at) const
   {
     const QuadCorner& corner = this->Cap.corners()[c];
-    Eigen::Matrix<double, 3, 2> edges;
+    CornerEdges edges;
     edges.col(0) = (at.row(corner.node[1]) - at.row(corner.node[0])).transpose();
     edges.col(1) = (at.row(corner.node[2]) - at.row(corner.node[0])).transpose();
-    return Eigen::Matrix2d(this->Planes[c] * edges);
+    edges = this->Spaces[c] * edges;
+    return corner.column >= 0 && this->ColumnTermOf
+      ? this->ColumnTermOf(c, edges)
+      : inSpace(this->PlaneTermOf(c, edges.topRows<2>()));
   }
 
-  void add(std::size_t c, const CornerTerm& t)
+  void add(std::size_t c, const ColumnCornerTerm& t)
   {
     const QuadCorner& corner = this->Cap.corners()[c];
-    Eigen::Matrix2d turn[3]; // from a node's frame to the corner's plane
+    CornerEdges turn[3]; // from a node's frame to the corner's
     int variable[3];
     for (int i = 0; i < 3; ++i)
     {
       variable[i] = this->Equations.Variable[static_cast<std::size_t>(corner.node[i])];
       if (variable[i] >= 0)
       {
-        turn[i] = this->Planes[c] * this->Frames[static_cast<std::size_t>(variable[i])].transpose();
+        turn[i] = this->Spaces[c] * this->Frames[static_cast<std::size_t>(variable[i])].transpose();
         this->Gradient.segment<2>(2 * variable[i]) += turn[i].transpose() *
           (EdgeSign[i][0] * t.gradient.col(0) + EdgeSign[i][1] * t.gradient.col(1));
       }
@@ -255,15 +283,15 @@ private:
     }
   }
 
-  /// Of nodes i and j of a corner, in its plane.
-  static Eigen::Matrix2d curvatureBetween(const CornerTerm& t, int i, int j)
+  /// Of nodes i and j of a corner, in its frame.
+  static Eigen::Matrix3d curvatureBetween(const ColumnCornerTerm& t, int i, int j)
   {
-    Eigen::Matrix2d block = Eigen::Matrix2d::Zero();
+    Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
     for (int e = 0; e < 2; ++e)
     {
       for (int f = 0; f < 2; ++f)
       {
-        block += EdgeSign[i][e] * EdgeSign[j][f] * t.curvature.block<2, 2>(2 * e, 2 * f);
+        block += EdgeSign[i][e] * EdgeSign[j][f] * t.curvature.block<3, 3>(3 * e, 3 * f);
       }
     }
     return block;
@@ -271,16 +299,17 @@ private:
 
   const CapCorners& Cap;
   System& Equations;
-  const Term& TermOf;
+  const Term& PlaneTermOf;
+  const ColumnTerm& ColumnTermOf;
   Eigen::VectorXd Gradient;
-  std::vector<TangentFrame> Frames; // of the free nodes
-  std::vector<TangentFrame> Planes; // of the corners
+  std::vector<TangentFrame> Frames;    // of the free nodes
+  std::vector<Eigen::Matrix3d> Spaces; // of the corners
 };
 
-CapDescent::Result CapDescent::descend(
-  const Points& points, const Term& term, int steps, double relativeDecrease) const
+CapDescent::Result CapDescent::descend(const Points& points, const Term& term, int steps,
+  double relativeDecrease, const ColumnTerm& columnTerm) const
 {
-  Energy energy(this->Cap, *this->Equations, term, points);
+  Energy energy(this->Cap, *this->Equations, term, columnTerm, points);
   Result result;
   result.points = points;
   if (this->Cap.freeNodes().empty())

@@ -21,6 +21,19 @@ struct CornerTerm
   Eigen::Matrix4d curvature;
 };
 
+/// Two edges in space, as columns.
+using CornerEdges = Eigen::Matrix<double, 3, 2>;
+
+/// The term of a corner at a column as a function of its two edges in a frame whose third axis is
+/// the column.
+struct ColumnCornerTerm
+{
+  double value;
+  CornerEdges gradient;
+  /// Positive semidefinite; the columns of the edge matrix stacked.
+  Eigen::Matrix<double, 6, 6> curvature;
+};
+
 /**
  * Moves the free nodes in their tangent planes, then puts them back on the surface.
  *
@@ -42,8 +55,15 @@ public:
     double after;
   };
 
-  /// @param steps at the most; fewer once a step lowers the sum by less than relativeDecrease.
-  Result descend(const Points& points, const Term& term, int steps, double relativeDecrease) const;
+  using ColumnTerm = std::function<ColumnCornerTerm(std::size_t corner, const CornerEdges& edges)>;
+
+  /**
+   * @param steps at the most; fewer once a step lowers the sum by less than relativeDecrease.
+   * @param columnTerm of the corners at columns. Without it they have `term`, as a function of
+   *        their edges seen along the column.
+   */
+  Result descend(const Points& points, const Term& term, int steps, double relativeDecrease,
+    const ColumnTerm& columnTerm = {}) const;
 
 private:
   struct System;

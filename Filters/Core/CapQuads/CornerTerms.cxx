@@ -115,6 +115,34 @@ CornerTerm jacobianTerm(
   return term;
 }
 
+ColumnCornerTerm hexJacobianTerm(
+  const CornerEdges& edges, const std::function<CurvePoint(double)>& function)
+{
+  const Eigen::Vector3d a = edges.col(0);
+  const Eigen::Vector3d b = edges.col(1);
+  const double lengths = a.norm() * b.norm();
+  const double jacobian = a.cross(b).z() / lengths;
+  const CurvePoint f = function(jacobian);
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  CornerEdges gradient;
+  gradient.col(0) = b.cross(up) / lengths - jacobian * a / a.squaredNorm();
+  gradient.col(1) = up.cross(a) / lengths - jacobian * b / b.squaredNorm();
+  const Eigen::Map<const Eigen::Matrix<double, 6, 1>> g(gradient.data());
+  ColumnCornerTerm term{ f.value, f.slope * gradient, f.curvature * g * g.transpose() };
+  if (f.slope < 0.0 && jacobian > 0.0)
+  {
+    // Of each edge alone the Jacobian is a linear function on the sphere of its directions.
+    for (int e = 0; e < 2; ++e)
+    {
+      const Eigen::Vector3d edge = edges.col(e);
+      const double square = edge.squaredNorm();
+      term.curvature.block<3, 3>(3 * e, 3 * e) -= f.slope * jacobian / square *
+        (Eigen::Matrix3d::Identity() - edge * edge.transpose() / square);
+    }
+  }
+  return term;
+}
+
 CornerTerm sumOfTerms(const CornerTerm& a, const CornerTerm& b, double weight)
 {
   return { a.value + weight * b.value, a.gradient + weight * b.gradient,

@@ -41,6 +41,11 @@ CornerTerm distortionTerm(
 CornerTerm jacobianTerm(
   const Eigen::Matrix2d& edges, const std::function<CurvePoint(double)>& function);
 
+/// The same of the corner of a hexahedron: the determinant of both edges and the column over the
+/// product of their lengths.
+ColumnCornerTerm hexJacobianTerm(
+  const CornerEdges& edges, const std::function<CurvePoint(double)>& function);
+
 /// a + weight * b
 CornerTerm sumOfTerms(const CornerTerm& a, const CornerTerm& b, double weight);
 }

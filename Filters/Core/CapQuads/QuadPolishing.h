@@ -15,7 +15,10 @@ namespace hexsweep
  *  1. sum exp(k (m - SJ)) over the corners with rising k and m the least scaled Jacobian so far: a
  *     smooth minimum, which raises the worst corners;
  *  2. sum (1 - SJ)^2 with a logarithmic barrier, which raises the mean and gives away at most
- *     two fifths of the minimum that was gained, none of the minimum that was given.
+ *     a seventh of the minimum that was gained, none of the minimum that was given.
+ * At a column the scaled Jacobian is that of the hexahedron's corner there. The nearer a column is
+ * to the surface, as where a rounded body's sides run into its cap, the less can be given away:
+ * there the cap's inner nodes alone decide whether the hexahedra have any room, and it is little.
  * Both with a little distortion() against the source's proportions, since a scaled Jacobian says
  * nothing about lengths.
  *

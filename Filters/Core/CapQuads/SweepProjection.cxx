@@ -281,10 +281,10 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
     }
     result.quads.points = std::move(harmonic);
   }
-  const CapCorners corners(
-    input.source.quads, still, target, boundary.columns, result.quads.points);
   if (input.ensureValid)
   {
+    const CapCorners corners(
+      input.source.quads, still, target, boundary.columns, result.quads.points);
     ImprovedQuads untangled = untangleQuads(
       corners, result.quads.points, input.source.points, progressPart(progress, 0.0, 0.5));
     result.quads.points = std::move(untangled.points);
@@ -292,6 +292,8 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   }
   if (input.improveQuality)
   {
+    const CapCorners corners(input.source.quads, still, target, boundary.columns,
+      result.quads.points, LeaningColumns::WhereUpright);
     ImprovedQuads polished = polishQuads(
       corners, result.quads.points, input.source.points, progressPart(progress, 0.5, 1.0));
     result.quads.points = std::move(polished.points);
@@ -363,8 +365,7 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
   if (input.method == ProjectionMethod::AffineLeastSquares)
   {
     result.quads = projectAffinely(input.source.points, used, placedNodes(input, boundary), outer,
-      target.mesh(),
-      progressPart(progress, 0.05, 0.7));
+      target.mesh(), progressPart(progress, 0.05, 0.7));
   }
   else
   {

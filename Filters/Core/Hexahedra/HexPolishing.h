@@ -22,7 +22,7 @@ struct PolishedHexes
  * hexahedra falls (a Gauss-Newton step with backtracking), a fixed number of times round the mesh.
  *
  * A move is made only if every hexahedron at the node that was Certified still is, and if the least
- * scaled Jacobian among them does not fall (or stays above 0.5 and above the mesh's minimum): the
+ * scaled Jacobian among them does not fall (or stays above 0.3 and above the mesh's minimum): the
  * mesh's minimum never falls, and no certificate is lost. Nodes of hexahedra that are all better
  * than 0.95 stay, and so do those whose sum fell by less than 2 % when they were last looked at.
  *

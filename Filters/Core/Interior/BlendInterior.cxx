@@ -16,6 +16,9 @@ namespace
 {
 /// Height of a layer of the prism in which bulges fade, over the mean height of a layer.
 constexpr double FadingHeight = 0.25;
+/// A bulge that counts, over the mean height of a layer.
+constexpr double LeastBulge = 1e-3;
+
 /// What a cap has on top of the harmonic surface in its loops.
 Points bulgeOf(const PointsRef& points, const QuadLaplacian& laplacian, const SweepBoundary& cage)
 {
@@ -48,29 +51,43 @@ Points commonBulge(const Points& a, const Points& b)
   return common;
 }
 
-/// What the bulges of both caps do not share, fading into the volume from either end.
-struct FadingBulges
+/// What the bulges of both caps do not share.
+struct OwnBulges
 {
-  Points fromSource; ///< (L + 1) n x 3, in the frame of the source
-  Points fromTarget; ///< in that of the target
+  Points onSource; ///< n x 3, in the frame of the source
+  Points onTarget; ///< in that of the target
 };
 
-FadingBulges fadingBulges(const PointsRef& sourcePoints, const PointsRef& targetPoints,
-  const QuadsRef& quads, const QuadLaplacian& onTarget, const SweepBoundary& boundary,
-  const Progress& progress, const ParallelFor& parallelFor)
+OwnBulges ownBulges(const SweepCage& cage, const QuadLaplacian& onTarget)
 {
-  const Index n = sourcePoints.rows();
+  const SweepBoundary& boundary = cage.boundary;
   const Index layers = boundary.numberOfLayers();
-  const Points onSourceCap = bulgeOf(sourcePoints, quadLaplacian(sourcePoints, quads), boundary);
-  const Points onTargetCap = bulgeOf(targetPoints, onTarget, boundary);
+  const Points source = bulgeOf(cage.source, quadLaplacian(cage.source, cage.quads), boundary);
+  const Points target = bulgeOf(cage.target, onTarget, boundary);
   const auto carried = [&](const Points& bulge, Index from, Index to) -> Points {
     return bulge * fitLayerMap(boundary, from, to).linear.transpose();
   };
+  return { source - commonBulge(source, carried(target, layers, 0)),
+    target - commonBulge(target, carried(source, 0, layers)) };
+}
+
+/// The same on all layers, fading into the volume from either end: (L + 1) n x 3.
+struct FadingBulges
+{
+  Points fromSource;
+  Points fromTarget;
+};
+
+FadingBulges fadingBulges(const SweepCage& cage, const QuadLaplacian& onTarget,
+  const Progress& progress, const ParallelFor& parallelFor)
+{
+  const SweepBoundary& boundary = cage.boundary;
+  const Index n = cage.source.rows();
+  const Index layers = boundary.numberOfLayers();
+  const OwnBulges own = ownBulges(cage, onTarget);
   FadingBulges fading{ Points::Zero((layers + 1) * n, 3), Points::Zero((layers + 1) * n, 3) };
-  fading.fromSource.topRows(n) =
-    onSourceCap - commonBulge(onSourceCap, carried(onTargetCap, layers, 0));
-  fading.fromTarget.bottomRows(n) =
-    onTargetCap - commonBulge(onTargetCap, carried(onSourceCap, 0, layers));
+  fading.fromSource.topRows(n) = own.onSource;
+  fading.fromTarget.bottomRows(n) = own.onTarget;
   const PrismSolver prism(onTarget, layers,
     FadingHeight * boundary.meanColumnLength / static_cast<double>(layers), boundary.nodes);
   fading.fromSource =
@@ -105,8 +122,7 @@ Points blend(
   const double blendEnd = fadeEnd + 0.2 * (1.0 - fadeEnd);
   if (fade)
   {
-    fading = fadingBulges(sourcePoints, targetPoints, quads, onTarget, boundary,
-      progressPart(progress, 0.0, fadeEnd), parallelFor);
+    fading = fadingBulges(cage, onTarget, progressPart(progress, 0.0, fadeEnd), parallelFor);
     source -= fading.fromSource.topRows(n);
     target -= fading.fromTarget.bottomRows(n);
   }
@@ -171,5 +187,14 @@ Points fadingBlendInterior(
   const SweepCage& cage, const Progress& progress, const ParallelFor& parallelFor)
 {
   return blend(cage, CapBulges::Fading, progress, parallelFor);
+}
+
+bool capsBulgeApart(const SweepCage& cage)
+{
+  const OwnBulges own = ownBulges(cage, quadLaplacian(cage.target, cage.quads));
+  const double least = LeastBulge * cage.boundary.meanColumnLength /
+    static_cast<double>(cage.boundary.numberOfLayers());
+  return own.onSource.rowwise().norm().maxCoeff() > least ||
+    own.onTarget.rowwise().norm().maxCoeff() > least;
 }
 }

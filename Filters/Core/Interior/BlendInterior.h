@@ -50,6 +50,9 @@ Points blendInterior(
 Points fadingBlendInterior(
   const SweepCage& cage, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 
+/// Whether the caps bulge in different ways by more than a thousandth of a layer's mean height.
+/// If not, fadingBlendInterior() has nothing to add to blendInterior().
+bool capsBulgeApart(const SweepCage& cage);
 }
 
 #endif

@@ -43,7 +43,7 @@ std::vector<InteriorStart> automaticStarts(bool isRuled)
     starts.push_back({ "Ruled", ruledInterior, true });
   }
   starts.push_back({ "Blend", blendInterior });
-  starts.push_back({ "Blend with fading bulges", fadingBlendInterior });
+  starts.push_back({ "Blend with fading bulges", fadingBlendInterior, false, capsBulgeApart });
   starts.push_back({ "LayerMarch", layerMarchInterior });
   return starts;
 }

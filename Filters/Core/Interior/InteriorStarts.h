@@ -17,7 +17,7 @@ namespace hexsweep
 /// in the .cxx, with the same name.
 enum class InteriorKind : int
 {
-  Automatic = 0, ///< Blend, Blend with fading bulges, LayerMarch: from cheap to strong
+  Automatic = 0, ///< Blend or, as a rival, Blend with fading bulges; then LayerMarch
   Blend = 1,
   HarmonicCoordinates = 2,
   MeanValueCoordinates = 3,

@@ -4,6 +4,7 @@
 #include "Core/Common/Errors.h"
 #include "Core/Common/IdRange.h"
 #include "Core/Common/Stopwatch.h"
+#include "Core/Hexahedra/HexMinimum.h"
 #include "Core/Hexahedra/HexPolishing.h"
 #include "Core/Interior/SweptBoxes.h"
 #include "Core/Interior/SweptHexes.h"
@@ -15,6 +16,14 @@ namespace hexsweep
 {
 namespace
 {
+/// Of scaled Jacobians that are computed in different ways.
+constexpr double Rounding = 1e-12;
+/// A hundredth of bad hexahedra is as bad as a mean scaled Jacobian that is a tenth lower.
+constexpr double WeightOfBad = 10.0;
+/// Part of the hexahedra up to which bad ones are cured node by node before patches are untangled.
+constexpr double FewBad = 0.01;
+constexpr const char* RaisedName = " + raised minimum";
+
 struct Candidate
 {
   Points points;
@@ -26,12 +35,37 @@ struct Candidate
   Index curable = 0;
   FixedCorners fixed;
   std::string method;
+  bool isBest = false; ///< InteriorStart::isBest
 
+  /// Whether it is as good as the boundary allows.
+  bool wantsNothing() const
+  {
+    return this->curable == 0 &&
+      this->quality.minScaledJacobian >= (1.0 - Rounding) * this->fixed.floor;
+  }
+  /// As a start: the minimum can be raised later and few bad hexahedra cured, the mean grows
+  /// hardly.
+  double promise() const
+  {
+    const double bad = static_cast<double>(this->curable) /
+      static_cast<double>(std::max<Index>(1, this->hexes.rows()));
+    return this->quality.meanScaledJacobian + std::max(0.0, this->quality.minScaledJacobian) -
+      WeightOfBad * bad;
+  }
   bool betterThan(const Candidate& other) const
   {
     return quality.notCertified != other.quality.notCertified
       ? quality.notCertified < other.quality.notCertified
-      : quality.minScaledJacobian > other.quality.minScaledJacobian;
+      : this->merit() > other.merit();
+  }
+
+private:
+  /// Of the least scaled Jacobian the part of what the boundary allows, and the mean.
+  double merit() const
+  {
+    const double floor = this->fixed.floor;
+    const double least = this->quality.minScaledJacobian;
+    return (floor > 0.0 ? std::min(1.0, least / floor) : least) + this->quality.meanScaledJacobian;
   }
 };
 
@@ -94,26 +128,45 @@ public:
   {
   }
 
-  Candidate start(const InteriorStart& start, const Progress& progress)
+  /**
+   * Makes a start and its rivals and betters them, the most promising first, until one has all that
+   * the boundary allows. Of the others only those are looked at that are certified as they are,
+   * once there is one without a hexahedron that can be cured.
+   *
+   * @param mustSucceed whether a failure of the first is the caller's to know.
+   * @return whether there is such a one, or none is asked for.
+   */
+  bool tryRivals(const InteriorStart* first, const InteriorStart* last, bool mustSucceed,
+    const Progress& progress)
   {
-    const Stopwatch watch;
-    Candidate candidate;
-    candidate.points =
-      start.method(this->Cage, progressPart(progress, 0.0, 0.8), this->Options.parallelFor);
-    candidate.method = start.name;
-    candidate.sourceIsBottom = hexsweep::sourceIsBottom(this->Cage.quads, candidate.points,
-      this->Cage.boundary.numberOfLayers(), this->Options.parallelFor);
-    if (this->Options.ensureValid || this->Options.polishingRounds > 0)
+    std::vector<Candidate> candidates =
+      this->rivals(first, last, mustSucceed, progressPart(progress, 0.0, 0.5));
+    const double width = 0.5 / static_cast<double>(std::max<std::size_t>(1, candidates.size()));
+    double from = 0.5;
+    bool done = false;
+    for (Candidate& candidate : candidates)
     {
-      reportProgress(progress, 0.8);
-      candidate.hexes =
-        sweptHexes(this->Cage.quads, candidate.points, this->Cage.boundary.numberOfLayers());
-      candidate.fixed = fixedCorners(candidate.points, candidate.hexes, this->Fixed);
-      reportProgress(progress, 0.85);
-      this->measure(candidate, progressPart(progress, 0.85, 1.0));
+      const Progress part = progressPart(progress, from, from + width);
+      from += width;
+      if (done && candidate.curable > 0)
+      {
+        continue;
+      }
+      this->better(candidate, part);
+      done = done || !this->Options.ensureValid || candidate.curable == 0;
+      const bool isEnough = done && (candidate.isBest || candidate.wantsNothing());
+      this->keepBetter(std::move(candidate));
+      if (isEnough || !this->Options.ensureValid)
+      {
+        return true;
+      }
     }
-    this->finish(start.name, candidate.quality.notCertified, 0, watch);
-    return candidate;
+    return done;
+  }
+
+  bool canBePolished() const
+  {
+    return !(this->Best->isBest && this->Best->quality.notCertified == 0);
   }
 
   void untangle(
@@ -218,6 +271,111 @@ public:
   }
 
 private:
+  /// Cures what can be cured, and raises the minimum where that is asked for.
+  void better(Candidate& candidate, const Progress& progress)
+  {
+    if (this->Options.ensureValid && candidate.curable > 0)
+    {
+      this->cure(candidate, progressPart(progress, 0.0, 0.8));
+    }
+    if (this->Options.polishingRounds > 0 && candidate.curable == 0 && !candidate.isBest)
+    {
+      this->raiseMinimumOf(candidate, progressPart(progress, 0.8, 1.0));
+    }
+  }
+
+  /// Up to what the boundary allows. Where not all are certified some may lose that on the way.
+  void raiseMinimumOf(Candidate& candidate, const Progress& progress)
+  {
+    if (candidate.wantsNothing() || !(candidate.fixed.floor > 0.0))
+    {
+      return;
+    }
+    const Stopwatch watch;
+    const Index before = candidate.quality.notCertified;
+    RaisedMinimum raised = raiseMinimum(candidate.points, candidate.hexes, this->Fixed,
+      (1.0 - Rounding) * candidate.fixed.floor,
+      candidate.curable > 0 ? Certificates::MayGo : Certificates::Stay, this->Options.parallelFor,
+      progressPart(progress, 0.0, 0.8));
+    std::swap(candidate.points, raised.points);
+    this->measure(candidate, progressPart(progress, 0.8, 0.9));
+    if (candidate.quality.notCertified > before)
+    {
+      std::swap(candidate.points, raised.points);
+      this->measure(candidate, progressPart(progress, 0.9, 1.0));
+    }
+    else if (candidate.method.find(RaisedName) == std::string::npos)
+    {
+      candidate.method += RaisedName;
+    }
+    this->finish(
+      "Minimum", candidate.quality.notCertified, before - candidate.quality.notCertified, watch);
+  }
+
+  void cure(Candidate& candidate, const Progress& progress)
+  {
+    if (static_cast<double>(candidate.curable) <=
+      FewBad * static_cast<double>(candidate.hexes.rows()))
+    {
+      this->raiseMinimumOf(candidate, progressPart(progress, 0.0, 0.3));
+    }
+    if (candidate.curable > 0)
+    {
+      this->untangle(candidate, progressPart(progress, 0.3, 1.0));
+    }
+  }
+
+  std::vector<Candidate> rivals(const InteriorStart* first, const InteriorStart* last,
+    bool mustSucceed, const Progress& progress)
+  {
+    std::vector<Candidate> candidates;
+    const double width = 1.0 / static_cast<double>(last - first);
+    for (const InteriorStart* start = first; start != last; ++start)
+    {
+      const double from = static_cast<double>(start - first) * width;
+      try
+      {
+        if (start == first || start->rivals(this->Cage))
+        {
+          candidates.push_back(this->start(*start, progressPart(progress, from, from + width)));
+        }
+      }
+      catch (const SolverFailure&)
+      {
+        if (mustSucceed && start == first)
+        {
+          throw;
+        }
+      }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.promise() > b.promise(); });
+    return candidates;
+  }
+
+  Candidate start(const InteriorStart& start, const Progress& progress)
+  {
+    const Stopwatch watch;
+    Candidate candidate;
+    candidate.points =
+      start.method(this->Cage, progressPart(progress, 0.0, 0.8), this->Options.parallelFor);
+    candidate.method = start.name;
+    candidate.isBest = start.isBest;
+    candidate.sourceIsBottom = hexsweep::sourceIsBottom(this->Cage.quads, candidate.points,
+      this->Cage.boundary.numberOfLayers(), this->Options.parallelFor);
+    if (this->Options.ensureValid || this->Options.polishingRounds > 0)
+    {
+      reportProgress(progress, 0.8);
+      candidate.hexes =
+        sweptHexes(this->Cage.quads, candidate.points, this->Cage.boundary.numberOfLayers());
+      candidate.fixed = fixedCorners(candidate.points, candidate.hexes, this->Fixed);
+      reportProgress(progress, 0.85);
+      this->measure(candidate, progressPart(progress, 0.85, 1.0));
+    }
+    this->finish(start.name, candidate.quality.notCertified, 0, watch);
+    return candidate;
+  }
+
   void measure(Candidate& candidate, const Progress& progress) const
   {
     std::vector<HexQuality> qualities =
@@ -248,7 +406,7 @@ private:
 };
 
 constexpr double RoundingShare = 0.05;
-constexpr double PolishingShare = 0.4;
+constexpr double PolishingShare = 0.35;
 /// Of that, where untangling and polish are repeated.
 constexpr double RepeatedShare = 0.2;
 constexpr int Repetitions = 2;
@@ -263,39 +421,26 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
   }
   checkCage(cage);
   Cascade cascade(cage, options);
-  const double share =
-    (1.0 - PolishingShare) / (options.ensureValid ? static_cast<double>(starts.size()) : 1.0);
+  const InteriorStart* const begin = starts.data();
+  const InteriorStart* const end = options.ensureValid ? begin + starts.size() : begin + 1;
+  const double share = (1.0 - PolishingShare) / static_cast<double>(end - begin);
   bool done = false;
-  bool polish = options.polishingRounds > 0;
-  for (std::size_t s = 0; s < starts.size() && !done; ++s)
+  for (const InteriorStart* first = begin; first != end && !done;)
   {
-    const double from = static_cast<double>(s) * share;
-    try
-    {
-      Candidate candidate =
-        cascade.start(starts[s], progressPart(progress, from, from + 0.5 * share));
-      if (options.ensureValid && candidate.curable > 0)
-      {
-        cascade.untangle(candidate, progressPart(progress, from + 0.5 * share, from + share));
-      }
-      done = !options.ensureValid || candidate.curable == 0;
-      polish = polish && !(starts[s].isBest && candidate.quality.notCertified == 0);
-      cascade.keepBetter(std::move(candidate));
-    }
-    catch (const SolverFailure&)
-    {
-      if (s == 0)
-      {
-        throw;
-      }
-    }
+    const InteriorStart* const last =
+      std::find_if(first + 1, end, [](const InteriorStart& start) { return !start.rivals; });
+    done = cascade.tryRivals(first, last, first == begin,
+      progressPart(progress, static_cast<double>(first - begin) * share,
+        static_cast<double>(last - begin) * share));
+    first = last;
   }
-  if (polish)
+  if (options.polishingRounds > 0 && cascade.canBePolished())
   {
-    const double end = 1.0 - RoundingShare;
-    const double again = end - RepeatedShare * PolishingShare;
-    cascade.polish(progressPart(progress, 1.0 - PolishingShare, again));
-    cascade.tryAgain(options.ensureValid ? Repetitions : 0, progressPart(progress, again, end));
+    const double polishing = 1.0 - RoundingShare - PolishingShare;
+    const double again = 1.0 - RoundingShare - RepeatedShare * PolishingShare;
+    cascade.polish(progressPart(progress, polishing, again));
+    cascade.tryAgain(
+      options.ensureValid ? Repetitions : 0, progressPart(progress, again, 1.0 - RoundingShare));
   }
   if (options.precision == Precision::Single)
   {

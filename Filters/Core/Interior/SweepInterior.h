@@ -22,6 +22,12 @@ struct InteriorStart
   InteriorMethod method;
   /// Nothing betters what it gives where that is certified: no polish.
   bool isBest = false;
+  /**
+   * Makes it a rival of the start before: where that does not reach what the boundary allows, and
+   * this says that they differ, both are made, and the better goes first into untangling and
+   * polish. Empty: it has its turn when those before it have failed.
+   */
+  std::function<bool(const SweepCage& cage)> rivals = {};
 };
 
 struct InteriorOptions
@@ -71,7 +77,12 @@ struct SweepInterior
 /**
  * Tries the starts in order and stops at the first that is certified, by itself or after local
  * untangling (untangleHexes()); otherwise keeps the best: fewest hexahedra that are not Certified,
- * then the highest least scaled Jacobian. Then polishes (polishHexes(); not a certified start that
+ * then the highest least scaled Jacobian. Of rivals (InteriorStart::rivals) the one with fewer
+ * hexahedra that are not Certified is tried first, or with as many the one whose least and mean
+ * scaled Jacobian are higher together.
+ *
+ * A certified mesh's minimum is raised up to what the boundary allows (raiseMinimum()). Then
+ * follows the polish (polishHexes(); not of a certified start that
  * InteriorStart::isBest), which never lowers the
  * minimum nor loses a certificate, and is kept unless the mean falls. What is not certified even
  * then is untangled and polished again, as long as that mends something, twice at the most. No step

@@ -244,6 +244,75 @@ TEST(CapDescent, CornersUnderColumnsCountTwice)
   EXPECT_NEAR(result.before, expected, 1e-12 * expected);
 }
 
+// With a term of their own they see their edges in space: lengths do not depend on the frame.
+TEST(CapDescent, TermsAtColumnsSeeTheEdgesInSpace)
+{
+  const FlatCap cap(4, {}, 0.2, 3);
+  const Eigen::RowVector3d normal = cap.turn.col(2).transpose();
+  const Eigen::RowVector3d leaning = normal + 0.8 * cap.axis(0) - 0.3 * cap.axis(1);
+  const CapCorners corners(
+    cap.mesh.quads, cap.fixed, cap.surface, { { 1, leaning } }, cap.mesh.points);
+  const auto lengthsAlong = [](std::size_t, const hexsweep::CornerEdges& edges) {
+    // Lengths, and heights along the column once more.
+    hexsweep::ColumnCornerTerm term{ 0.5 * edges.squaredNorm() + edges.row(2).sum(), edges,
+      Eigen::Matrix<double, 6, 6>::Identity() };
+    term.gradient.row(2).array() += 1.0;
+    return term;
+  };
+  const CapDescent descent(corners);
+  const double start =
+    descent.descend(cap.mesh.points, everywhere(squaredLengths), 0, 0.0, lengthsAlong).before;
+  double expected = cap.sum(cap.mesh.points, squaredLengths);
+  const Eigen::RowVector3d column = leaning.normalized();
+  for (Index q = 0; q < 2; ++q)
+  {
+    for (Index c = 0; c < 4; ++c)
+    {
+      if (cap.mesh.quads(q, c) == 1)
+      {
+        for (const Index other : { (c + 1) % 4, (c + 3) % 4 })
+        {
+          const Eigen::RowVector3d edge =
+            cap.mesh.points.row(cap.mesh.quads(q, other)) - cap.mesh.points.row(1);
+          expected += 0.5 * edge.squaredNorm() + edge.dot(column);
+        }
+      }
+    }
+  }
+  EXPECT_NEAR(start, expected, 1e-12 * expected);
+
+  // A quadratic sum: its gradient vanishes after one step, so that another one leads nowhere.
+  const Points end =
+    descent.descend(cap.mesh.points, everywhere(squaredLengths), 3, 0.0, lengthsAlong).points;
+  const Points further =
+    descent.descend(end, everywhere(squaredLengths), 3, 0.0, lengthsAlong).points;
+  EXPECT_GT((end - cap.mesh.points).norm(), 1e-3);
+  EXPECT_LT((further - end).norm(), 1e-9);
+}
+
+// A column that leans far over the cap has corners only where they are asked for, and upright.
+TEST(CapDescent, ColumnsThatLeanFarCountWhereUpright)
+{
+  const FlatCap cap(4, {}, 0.0, 3);
+  const Eigen::RowVector3d normal = cap.turn.col(2).transpose();
+  // Node 1 is on the boundary, in two quads; node 2 is its neighbor there.
+  const auto countOf = [&](const std::vector<hexsweep::ColumnDirection>& columns,
+                         hexsweep::LeaningColumns leaning) {
+    return CapCorners(cap.mesh.quads, cap.fixed, cap.surface, columns, cap.mesh.points, leaning)
+      .corners()
+      .size();
+  };
+  using hexsweep::LeaningColumns;
+  const std::size_t without = countOf({ { 2, normal } }, LeaningColumns::PassedOver);
+  const auto cornersWith = [&](double height, LeaningColumns leaning) {
+    return countOf({ { 1, height * normal + cap.axis(0) }, { 2, normal } }, leaning) - without;
+  };
+  EXPECT_EQ(cornersWith(0.2, LeaningColumns::PassedOver), 2u);
+  EXPECT_EQ(cornersWith(0.01, LeaningColumns::PassedOver), 0u);
+  EXPECT_EQ(cornersWith(0.01, LeaningColumns::WhereUpright), 2u);
+  EXPECT_EQ(cornersWith(-0.01, LeaningColumns::WhereUpright), 0u); // the other tells the side
+}
+
 TEST(CapDescent, EndsWhereDifferencesVanish)
 {
   const FlatCap cap(5, { { 2, 2, 1, 1 } }, 0.25, 8);

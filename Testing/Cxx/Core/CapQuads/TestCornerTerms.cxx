@@ -79,3 +79,38 @@ TEST(CornerTerms, JacobianIsTheSineOfTheAngle)
     EXPECT_NEAR(hexsweep::jacobianTerm(edges, identity).value, std::sin(angle), 1e-15);
   }
 }
+
+TEST(CornerTerms, HexJacobianMatchesDifferences)
+{
+  std::mt19937 generator(23);
+  std::normal_distribution<double> normal;
+  int inverted = 0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const auto random = [&] {
+      return hexsweep::CornerEdges(
+        hexsweep::CornerEdges::NullaryExpr([&] { return normal(generator); }));
+    };
+    const hexsweep::CornerEdges edges = random();
+    const hexsweep::CornerEdges direction = random();
+    const auto term = [](const hexsweep::CornerEdges& e) {
+      return hexsweep::hexJacobianTerm(e, falling);
+    };
+    const hexsweep::ColumnCornerTerm at = term(edges);
+    const double h = 1e-6 * edges.colwise().norm().minCoeff();
+    const double difference =
+      (term(edges + h * direction).value - term(edges - h * direction).value) / (2.0 * h);
+    EXPECT_NEAR(at.gradient.cwiseProduct(direction).sum(), difference,
+      1e-6 * (1.0 + at.gradient.norm() * direction.norm()));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(at.curvature);
+    EXPECT_GE(eigen.eigenvalues().minCoeff(), -1e-10 * (1.0 + eigen.eigenvalues().maxCoeff()));
+
+    const Eigen::Vector3d a = edges.col(0);
+    const Eigen::Vector3d b = edges.col(1);
+    Eigen::Matrix3d arms;
+    arms << a.normalized(), b.normalized(), Eigen::Vector3d::UnitZ();
+    inverted += arms.determinant() < 0.0;
+    EXPECT_NEAR(at.value, falling(arms.determinant()).value, 1e-12);
+  }
+  EXPECT_GT(inverted, 50);
+}

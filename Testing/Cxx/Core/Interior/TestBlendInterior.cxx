@@ -190,6 +190,10 @@ TEST(BlendInterior, BulgesThatBothCapsShareGoThroughAndOthersFade)
   // Opposite bulges share nothing: zero half way.
   const Sweep lens = sweepWith(1, -1);
   EXPECT_NEAR(middleHeights(lens, test::run(fadingBlendInterior, lens))[6], 0.0, 1e-12);
+  EXPECT_FALSE(hexsweep::capsBulgeApart(test::cageOf(same)));
+  EXPECT_FALSE(hexsweep::capsBulgeApart(test::cageOf(sweepWith(0, 0))));
+  EXPECT_TRUE(hexsweep::capsBulgeApart(test::cageOf(one)));
+  EXPECT_TRUE(hexsweep::capsBulgeApart(test::cageOf(lens)));
 }
 
 TEST(BlendInterior, LoopsThatFlattenDoNotSpoilFadingBulges)

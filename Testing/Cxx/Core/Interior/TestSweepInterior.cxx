@@ -119,6 +119,32 @@ TEST(SweepInterior, TheBestStartIsKept)
   EXPECT_THROW(worth({ failing, blend() }), hexsweep::SolverFailure);
 }
 
+TEST(SweepInterior, OfRivalsTheMorePromisingIsTriedFirst)
+{
+  const SweepCage cage =
+    cageOf(test::makeSweep(12, 9, true, test::evenLayers(6), test::bendingMotion));
+  InteriorStart better = blend();
+  better.rivals = [](const SweepCage&) { return true; };
+  const auto result = hexsweep::sweepInterior(cage, { spoilt(), better }, unpolished());
+  EXPECT_EQ(result.method, "Blend");
+  ASSERT_EQ(result.steps.size(), 2u); // both were made, nothing was untangled
+  EXPECT_EQ(result.steps[0].name, "Spoilt");
+  EXPECT_EQ(result.steps[1].name, "Blend");
+  EXPECT_EQ(result.points, blend().method(cage, {}, {}));
+
+  // A rival with nothing of its own is not made; one that fails is passed over.
+  better.rivals = [](const SweepCage&) { return false; };
+  EXPECT_EQ(hexsweep::sweepInterior(cage, { blend(), better }, unpolished()).steps.size(), 1u);
+  const InteriorStart failing{ "Failing",
+    [](const SweepCage&, const Progress&, const hexsweep::ParallelFor&) -> Points {
+      throw hexsweep::SolverFailure("no solution");
+    },
+    false, [](const SweepCage&) { return true; } };
+  EXPECT_EQ(hexsweep::sweepInterior(cage, { blend(), failing }, unpolished()).method, "Blend");
+  EXPECT_THROW(
+    hexsweep::sweepInterior(cage, { failing, better }, unpolished()), hexsweep::SolverFailure);
+}
+
 TEST(SweepInterior, WhatTheCapsForbidDoesNotKeepItGoing)
 {
   test::Sweep sweep = test::makeSweep(12, 9, false, test::evenLayers(6),

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Hexahedra/HexMinimum.h"
+
+#include "Core/Common/Errors.h"
+#include "Core/Hexahedra/HexNodeMoves.h"
+
+#include <algorithm>
+
+namespace hexsweep
+{
+namespace
+{
+/// Times what is wanted: up to there nodes are moved, so that their neighbours have room.
+constexpr double Room = 1.2;
+/// Of the smooth minimum: this over what is wanted, and not less than the least. A softer one
+/// trades what is worst for what is merely low.
+constexpr double Sharpness = 6.0;
+constexpr double LeastSharpness = 30.0;
+/// Rounds in a row without progress that end the search.
+constexpr int StagnantRounds = 10;
+constexpr double LeastGain = 0.01;       // of the minimum, to count as progress
+constexpr double VisitsForAny = 20000.0; // that any mesh may cost
+constexpr double VisitsPerNode = 3.0;
+constexpr Index NodesAtOnce = 64;
+
+struct Shortfall
+{
+  Index hexes = 0;
+  double minimum = 1.0;
+
+  bool isProgress(const Shortfall& reached) const
+  {
+    return hexes < reached.hexes || minimum > (1.0 + LeastGain) * reached.minimum;
+  }
+};
+
+Shortfall shortfall(const std::vector<HexQuality>& qualities, double wanted)
+{
+  Shortfall result;
+  for (const HexQuality& quality : qualities)
+  {
+    result.hexes += quality.scaledJacobian < wanted;
+    result.minimum = std::min(result.minimum, quality.scaledJacobian);
+  }
+  return result;
+}
+
+Index moveGroup(HexNodeMoves& moves, const std::vector<Index>& nodes, double wanted,
+  Certificates certificates, const ParallelFor& parallelFor)
+{
+  const double enough = Room * wanted;
+  std::vector<Index> low;
+  for (const Index node : nodes)
+  {
+    if (moves.leastAt(node) < enough)
+    {
+      low.push_back(node);
+    }
+  }
+  forPieces(parallelFor, static_cast<Index>(low.size()), NodesAtOnce, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i)
+    {
+      const Index node = low[static_cast<std::size_t>(i)];
+      const double least = moves.leastAt(node);
+      moves.move(node, { std::max(Sharpness / wanted, LeastSharpness), least },
+        std::min(least, wanted), certificates);
+    }
+  });
+  return static_cast<Index>(low.size());
+}
+}
+
+RaisedMinimum raiseMinimum(const PointsRef& points, const HexesRef& hexes,
+  const std::vector<bool>& fixed, double wanted, Certificates certificates,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr double Preparation = 0.1;
+  HexNodeMoves moves(points, hexes, fixed, parallelFor, progressPart(progress, 0.0, Preparation));
+  double most = 0.0;
+  for (const std::vector<Index>& group : moves.groups())
+  {
+    most += VisitsPerNode * static_cast<double>(group.size());
+  }
+  most = std::max(most, VisitsForAny);
+  Shortfall reached = shortfall(moves.qualities(), wanted);
+  RaisedMinimum result;
+  result.before = reached.hexes;
+  Shortfall now = reached;
+  int stagnant = 0;
+  double visits = 0.0;
+  while (now.hexes > 0 && visits < most && stagnant < StagnantRounds && wanted > 0.0)
+  {
+    reportProgress(progress, Preparation + (1.0 - Preparation) * visits / most);
+    const double before = visits;
+    for (const std::vector<Index>& group : moves.groups())
+    {
+      visits += static_cast<double>(moveGroup(moves, group, wanted, certificates, parallelFor));
+    }
+    ++result.rounds;
+    now = shortfall(moves.qualities(), wanted);
+    const bool progressed = now.isProgress(reached);
+    stagnant = progressed ? 0 : stagnant + 1;
+    if (progressed)
+    {
+      reached = now;
+    }
+    if (visits == before) // no free node is at what is low
+    {
+      break;
+    }
+  }
+  result.after = now.hexes;
+  result.points = moves.take();
+  return result;
+}
+}

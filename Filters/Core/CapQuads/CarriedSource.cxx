@@ -3,6 +3,7 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/LoopGeometry.h"
+#include "Core/Linking/QuadWinding.h"
 #include "Core/Linking/SectionMarch.h"
 #include "Core/Surfaces/QuadHalving.h"
 
@@ -79,5 +80,22 @@ std::optional<PlaneDisks> planeDisks(const CarriedSource& source, const Triangle
     return std::nullopt;
   }
   return disks;
+}
+
+std::vector<MissedHole> missedHoles(
+  const QuadMesh& source, const Points& target, const SweepSections& sections)
+{
+  const std::vector<Index> turns = missedTurns(sections, source.quads,
+    sections.frames.front().flatten(source.points), sections.frames.back().flatten(target));
+  std::vector<MissedHole> missed;
+  for (std::size_t l = 0; l < turns.size(); ++l)
+  {
+    if (turns[l] > 0)
+    {
+      const Index node = sections.nodes[static_cast<std::size_t>(sections.begins[l])];
+      missed.push_back({ target.row(node), turns[l] });
+    }
+  }
+  return missed;
 }
 }

@@ -49,6 +49,17 @@ struct PlaneDisks
  * @return nothing where a triangle of the target is turned over in the plane.
  */
 std::optional<PlaneDisks> planeDisks(const CarriedSource& source, const TriangleMesh& target);
+
+/// A hole of the target that quads lead to by whole turns too many or too few.
+struct MissedHole
+{
+  Eigen::RowVector3d place;
+  Index turns;
+};
+
+/// See missedTurns(). @param target points of the source quads on the target cap.
+std::vector<MissedHole> missedHoles(
+  const QuadMesh& source, const Points& target, const SweepSections& sections);
 }
 
 #endif

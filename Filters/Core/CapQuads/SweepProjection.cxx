@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/SweepProjection.h"
 
-#include "Core/CapQuads/CarriedSource.h"
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/AffineMap.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/SurfaceSearch.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Linking/LoopMatching.h"
-#include "Core/Linking/QuadWinding.h"
 #include "Core/Surfaces/Cap.h"
 #include "Core/Surfaces/QuadHalving.h"
 #include "Core/Surfaces/SurfaceTopology.h"
@@ -355,11 +353,14 @@ SweepProjection projectDirectly(const Projection& given, const Progress& progres
   return result;
 }
 
-Index turnsMissed(
-  const SweepProjection& result, const QuadMesh& source, const SweepSections& sections)
+Index turnsOf(const SweepProjection& projection)
 {
-  return missedTurns(sections, source.quads, sections.frames.front().flatten(source.points),
-    sections.frames.back().flatten(result.quads.points));
+  Index turns = 0;
+  for (const MissedHole& hole : projection.missedHoles)
+  {
+    turns += hole.turns;
+  }
+  return turns;
 }
 
 /**
@@ -415,22 +416,22 @@ std::optional<SweepProjection> projectAlongSides(
   result.target.reset();
   improve(
     result, given.input, given.boundary, given.outer(), surface, progressPart(progress, 0.75, 1.0));
-  result.missedTurns = turnsMissed(result, given.input.source, sections);
+  result.missedHoles = missedHoles(given.input.source, result.quads.points, sections);
   return result;
 }
 
 /// Whether quads are folded that need not be, or wind otherwise than the sides.
 bool isWanting(const SweepProjection& result)
 {
-  return result.missedTurns > 0 ||
+  return !result.missedHoles.empty() ||
     result.quality.inverted > static_cast<Index>(result.fixedCorners.inverted.size());
 }
 
 bool betterThan(const SweepProjection& a, const SweepProjection& b)
 {
-  if (a.missedTurns != b.missedTurns)
+  if (turnsOf(a) != turnsOf(b))
   {
-    return a.missedTurns < b.missedTurns;
+    return turnsOf(a) < turnsOf(b);
   }
   return a.quality.inverted != b.quality.inverted ? a.quality.inverted < b.quality.inverted
                                                   : a.quality.minimum > b.quality.minimum;
@@ -452,7 +453,7 @@ SweepProjection projectWindingSides(
     }
   }
   SweepProjection direct = projectDirectly(given, progressPart(progress, far ? 0.5 : 0.0, 0.95));
-  direct.missedTurns = turnsMissed(direct, given.input.source, sections);
+  direct.missedHoles = missedHoles(given.input.source, direct.quads.points, sections);
   if (!far && given.input.ensureValid && isWanting(direct))
   {
     carried = projectAlongSides(given, sections, progressPart(progress, 0.95, 1.0));

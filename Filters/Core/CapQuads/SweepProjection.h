@@ -7,6 +7,7 @@
 #ifndef hexsweep_SweepProjection_h
 #define hexsweep_SweepProjection_h
 
+#include "Core/CapQuads/CarriedSource.h"
 #include "Core/CapQuads/LinkedCaps.h"
 #include "Core/CapQuads/QuadPolishing.h"
 #include "Core/CapQuads/QuadProjection.h"
@@ -56,9 +57,9 @@ struct SweepProjection
   int rounds = 0;                ///< descents of untangling and polishing
   /// How far the loops wind on their way, see LoopWinding::greatest(); 0 where it was not measured.
   double winding = 0.0;
-  /// Whole turns that the quads lack to wind as the sides do, see missedTurns(): more than 0 means
-  /// that hexahedra fold whatever the interior does.
-  Index missedTurns = 0;
+  /// Holes to which the quads do not wind as the sides do, see missedTurns(): hexahedra fold there
+  /// whatever the interior does.
+  std::vector<MissedHole> missedHoles;
   /// Whether the quads were carried along the sides (carrySource()): the caps have no common map
   /// then.
   bool carried = false;

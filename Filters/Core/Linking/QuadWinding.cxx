@@ -123,15 +123,15 @@ double turnOfRow(const SweepSections& sections, Index row, std::size_t hole)
 }
 }
 
-Index missedTurns(const SweepSections& sections, const QuadsRef& quads, const PlanePoints& source,
-  const PlanePoints& target)
+std::vector<Index> missedTurns(const SweepSections& sections, const QuadsRef& quads,
+  const PlanePoints& source, const PlanePoints& target)
 {
   const std::vector<std::size_t> holes = holesWithMiddle(sections);
   const Index startRow = sections.begins[sections.outer];
   const std::vector<Index> before =
     pathsFrom(sections.nodes[static_cast<std::size_t>(startRow)], quads, source.rows());
   const std::size_t last = sections.rings.size() - 1;
-  Index missed = 0;
+  std::vector<Index> missed(sections.numberOfLoops(), 0);
   for (std::size_t l = 0; l < sections.numberOfLoops(); ++l)
   {
     const Index endRow = sections.begins[l];
@@ -145,7 +145,7 @@ Index missedTurns(const SweepSections& sections, const QuadsRef& quads, const Pl
       const double expected = turnAlong(before, end, source, ringOf(sections, 0, hole).middle()) +
         turnOfRow(sections, endRow, hole) - turnOfRow(sections, startRow, hole);
       const double found = turnAlong(before, end, target, ringOf(sections, last, hole).middle());
-      missed += std::abs(std::lround((found - expected) / (2.0 * Pi)));
+      missed[l] += std::abs(std::lround((found - expected) / (2.0 * Pi)));
     }
   }
   return missed;

@@ -20,11 +20,12 @@ namespace hexsweep
  * sections, and the difference to what the path on the target does is a whole number of turns.
  *
  * @param source, target n x 2: the quads in the planes of the first and the last section.
- * @return sum over all paths and holes; 0: the quads wind as the sides do. Holes whose middle lies
- *         outside them, on any ring, are passed over: nothing can be said about them.
+ * @return one a loop: of the path to it, over all holes; 0: the quads wind as the sides do. Holes
+ *         whose middle lies outside them, on any ring, are passed over: nothing can be said about
+ *         them.
  */
-Index missedTurns(const SweepSections& sections, const QuadsRef& quads, const PlanePoints& source,
-  const PlanePoints& target);
+std::vector<Index> missedTurns(const SweepSections& sections, const QuadsRef& quads,
+  const PlanePoints& source, const PlanePoints& target);
 }
 
 #endif

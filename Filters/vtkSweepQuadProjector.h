@@ -19,8 +19,9 @@
  * A map between the caps takes the shortest turn. Where loops turn further about each other, or
  * against the outer loop, on their way along the linking sides (more than 137 degrees, or where
  * HARMONIC leaves folds), the quads are carried from ring to ring instead, in the planes of the
- * outer rings, so that they wind as the sides do. Quads that are too coarse for that raise a warning
- * which names the holes. Disk maps that are given (DiskMaps = FROM_INPUT) are used as they are.
+ * outer rings, so that they wind as the sides do. Quads that are too coarse for that raise a
+ * warning which names the holes. Disk maps that are given (DiskMaps = FROM_INPUT) are used as they
+ * are.
  *
  * Inputs (vtkUnstructuredGrid or vtkPolyData):
  * - 0 SourceQuads: all-quad mesh of the source cap, consistently oriented.

@@ -134,6 +134,9 @@ constexpr const char* MaximumSourceDistance = "SweepReportMaximumSourceDistance"
 constexpr const char* MaximumBoundaryDistance = "SweepReportMaximumBoundaryDistance";
 /// Id: nodes that lay in no triangle of the target's disk map.
 constexpr const char* Outside = "SweepReportOutside";
+/// Measure, degrees: how far loops turn about each other along the sides, where quads were carried
+/// along them.
+constexpr const char* Winding = "SweepReportWinding";
 /// Measure: at 1 and below the map of PAPER_HARMONIC folds.
 constexpr const char* NitscheRatio = "SweepReportNitscheRatio";
 

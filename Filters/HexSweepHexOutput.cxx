@@ -4,6 +4,7 @@
 #include "Core/Common/Errors.h"
 #include "Core/Common/StoppablePieces.h"
 #include "Core/Interior/InteriorStarts.h"
+#include "Core/Interior/SectionInterior.h"
 #include "Core/Interior/SweptHexes.h"
 #include "HexSweepArrays.h"
 #include "HexSweepGrid.h"
@@ -86,8 +87,9 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   {
     options.precision = Precision::Single;
   }
-  SweepInterior interior = sweepInterior(
-    cage, interiorStarts(method, cage.isRuled), options, progressPart(progress, 0.0, 0.9));
+  SweepInterior interior =
+    sweepInterior(cage, interiorStarts(method, cage.isRuled, windingOf(cage.boundary)), options,
+      progressPart(progress, 0.0, 0.9));
   stages.finish(stagesOf(interior.steps));
   const Index layers = cage.boundary.numberOfLayers();
   vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,

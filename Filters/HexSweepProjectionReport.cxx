@@ -95,6 +95,27 @@ std::string describeInverted(const SweepProjection& projection, const QuadsRef& 
   }
   return text;
 }
+
+/// What to tell the user about quads that do not wind as the sides do; empty if all do.
+std::string describeMissedHoles(const SweepProjection& projection)
+{
+  if (projection.missedHoles.empty())
+  {
+    return {};
+  }
+  std::string text = "loops turn by up to " + describe(180.0 / Pi * projection.winding) +
+    " degrees about each other along the linking sides, and the quads are too coarse to be drawn "
+    "along: on the target cap they lead to";
+  for (std::size_t i = 0; i < projection.missedHoles.size() && i < QuadsToName; ++i)
+  {
+    const MissedHole& hole = projection.missedHoles[i];
+    text += std::string(i > 0 ? "," : "") + " the hole at " + describe(hole.place) + " by " +
+      std::to_string(hole.turns) + " whole turn(s) too many or too few";
+  }
+  return text + (projection.missedHoles.size() > QuadsToName ? ", ..." : "") +
+    ". Hexes there will be inverted. Refine the source quads round the holes, or cut the volume "
+    "into shorter sweeps.";
+}
 }
 
 void addProjectionReport(
@@ -123,6 +144,10 @@ void addProjectionReport(
     addReport(field, reports::FlipsAfter,
       static_cast<Index>(projection.source->flipped.size() + projection.target->flipped.size()));
   }
+  if (projection.carried)
+  {
+    addReport(field, reports::Winding, 180.0 / Pi * projection.winding);
+  }
   if (projection.nitsche)
   {
     addReport(field, reports::NitscheRatio, projection.nitsche->ratio());
@@ -148,6 +173,7 @@ std::vector<std::string> projectionWarnings(
     describeMismatch(projection.sourceMismatch, "source surface", "boundary of the source quads"));
   warnings.push_back(describeMismatch(
     projection.targetMismatch, "target surface", "last ring of the linking sides"));
+  warnings.push_back(describeMissedHoles(projection));
   warnings.push_back(describeInverted(projection, quads));
   return warnings;
 }

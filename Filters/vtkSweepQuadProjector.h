@@ -16,6 +16,13 @@
  * cos(theta) / (1 + r^2). To stay below is no promise where columns run unevenly along the loops,
  * and for more holes no closed form is known; flips are counted and reported as for HARMONIC.
  *
+ * A map between the caps takes the shortest turn. Where loops turn further about each other, or
+ * against the outer loop, on their way along the linking sides (more than 137 degrees, or where
+ * HARMONIC leaves folds), the quads are carried from ring to ring instead, in the planes of the
+ * outer rings, so that they wind as the sides do. Quads that are too coarse for that raise a
+ * warning which names the holes. Disk maps that are given (DiskMaps = FROM_INPUT) are used as they
+ * are.
+ *
  * Inputs (vtkUnstructuredGrid or vtkPolyData):
  * - 0 SourceQuads: all-quad mesh of the source cap, consistently oriented.
  * - 1 TargetSurface: the target cap (polygons and strips are triangulated).
@@ -46,8 +53,10 @@
  *   `SweepReportOutside` (nodes that lay in no triangle of the target's disk map),
  *   `SweepReportFlipsBefore`, `SweepReportFlipsAfter` (both caps), and for PAPER_HARMONIC with one
  *   hole `SweepReportNitscheRatio`: 2 r cos(theta) / ((1 + r^2) rho), at 1 and below the map folds.
+ *   `SweepReportWinding`: where the quads were carried along the sides, how far loops turn about
+ *   each other on the way, in degrees.
  * - 1, 2 source and target cap in their disk, as vtkHarmonicDiskMap gives them; empty for
- *   AFFINE_LEAST_SQUARES.
+ *   AFFINE_LEAST_SQUARES, and where the quads were carried along the sides.
  *
  * The unit of length, the axes and the origin do not matter: with HARMONIC and all other settings
  * at their defaults, points agree to 3e-13 of the model's size at 1e-6 and 1e6 times the size and

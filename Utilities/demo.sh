@@ -3,6 +3,7 @@
 #
 # Utilities/demo.sh [model...]
 # Utilities/demo.sh --compare
+# Utilities/demo.sh --winding
 #
 # Installs what is missing, builds HexSweep, sweeps models of Data/cases through the chained ParaView
 # filters and CAD solids of Data/solids by OneToOneSweep (default: fig7 fig8 fig9, the three models of
@@ -13,6 +14,7 @@
 # --compare sweeps all of them by several methods instead: one table, and pictures of the affine
 # method beside HexSweep with caps that are not parallel, along a curved trajectory, round a growing
 # hole (about a minute).
+# --winding draws a bar whose holes turn by half a turn about each other.
 # HEXSWEEP_BUILD_DIR and HEXSWEEP_DEMO_DIR change where things go.
 
 set -euo pipefail
@@ -20,8 +22,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 models=("$@")
 compare=no
+winding=no
 if [[ ${1:-} == --compare ]]; then
   compare=yes
+  models=()
+elif [[ ${1:-} == --winding ]]; then
+  winding=yes
   models=()
 elif ((${#models[@]} == 0)); then
   models=(fig7 fig8 fig9 flange)
@@ -50,6 +56,12 @@ run_script() { # script, data, models...
   pvpython "$source_dir/Utilities/demo/$1" \
     --plugin "$plugin" --data "$source_dir/Data/$2" --output "$demo_dir" "${@:3}"
 }
+if [[ $winding == yes ]]; then
+  package=$(find "$build_dir/lib" -type d -path '*site-packages/hexsweep' | head -n 1)
+  PYTHONPATH=$(dirname "$package") /usr/bin/python3 "$source_dir/Utilities/demo/winding.py" \
+    --output "$demo_dir"
+  exit
+fi
 say "sweep: ${models[*]:-all cases}"
 if [[ $compare == yes ]]; then run_script compare.py cases; fi
 if ((${#cases[@]} > 0)); then run_script sweep_models.py cases "${cases[@]}"; fi

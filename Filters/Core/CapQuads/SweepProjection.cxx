@@ -23,20 +23,9 @@ namespace
 /// Disk coordinates of common boundary nodes agree to rounding; the disk's size is 1.
 constexpr double SameDiskPoint = 1e-9;
 
-CommonDisks mapPairs(const Cap& cap, const Cap& partner, const LinkedLoops& linked, Weights weights,
-  double matchTolerance, const Progress& progress, const CapNames& names,
-  TriangulationImprovement improvement)
-{
-  if (!linked.swapped)
-  {
-    return commonDiskMap(
-      cap, partner, linked.pairs, weights, matchTolerance, progress, names, improvement);
-  }
-  CommonDisks disks = commonDiskMap(partner, cap, linked.pairs, weights, matchTolerance, progress,
-    { names.second, names.first, names.rings }, improvement);
-  std::swap(disks.first, disks.second);
-  return disks;
-}
+/// Turns of loops below which quads are not carried along the sides to get rid of folds: they come
+/// from elsewhere.
+constexpr double LeastWinding = 0.5;
 
 /// The pairs with LoopPair::first on the first cap.
 std::vector<LoopPair> sourceFirst(LinkedLoops linked)
@@ -49,15 +38,6 @@ std::vector<LoopPair> sourceFirst(LinkedLoops linked)
     }
   }
   return std::move(linked.pairs);
-}
-
-BoundaryMismatch mismatchOf(const Cap& cap, const std::vector<Points>& rings, double matchTolerance)
-{
-  if (rings.empty())
-  {
-    return {};
-  }
-  return boundaryMismatch(cap.points(), cap.loops(), rings, matchTolerance);
 }
 
 /// Where the boundary nodes of the quads belong on the target cap.
@@ -164,17 +144,23 @@ Cap sourceCap(const SweepProjectionInput& input)
         "source quads");
 }
 
-/// Fills the disk maps of the result, and what there is to say of them. @param loops of the quads.
-void mapCaps(const SweepProjectionInput& input, const std::vector<Loop>& loops, const Cap& target,
-  const Boundary& boundary, const Progress& progress, SweepProjection& result)
+BoundaryMismatch sourceMismatch(
+  const SweepProjectionInput& input, const std::vector<Loop>& loops, const Cap& source)
 {
-  const Cap source = sourceCap(input);
   std::vector<Points> firstRings;
   for (const Loop& loop : loops)
   {
     firstRings.push_back(loopPoints(input.source.points, loop));
   }
-  result.sourceMismatch = mismatchOf(source, firstRings, input.matchTolerance);
+  return mismatchOf(source, firstRings, input.matchTolerance);
+}
+
+/// Fills the disk maps of the result, and what there is to say of them. @param loops of the quads.
+void mapCaps(const SweepProjectionInput& input, const std::vector<Loop>& loops, const Cap& target,
+  const Boundary& boundary, const Progress& progress, SweepProjection& result)
+{
+  const Cap source = sourceCap(input);
+  result.sourceMismatch = sourceMismatch(input, loops, source);
   const CapNames names{ input.sourceSurface ? "source surface" : "source quads", "target surface",
     input.linking ? "linking sides" : "source quads" };
   LinkedLoops linked;
@@ -266,8 +252,9 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   {
     return;
   }
+  // Loops that wind once round are an affine image of themselves as well.
   if (input.improveQuality && input.method == ProjectionMethod::Harmonic && input.linking &&
-    isThinAffineSweep(input, boundary, outer))
+    !result.carried && result.winding < FarWinding && isThinAffineSweep(input, boundary, outer))
   {
     Points harmonic = std::move(result.quads.points);
     result.quads.points = projectAffinely(input.source.points,
@@ -301,41 +288,180 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   }
   judge();
 }
+
+/// One projection's input, and what is known of it before any map.
+struct Projection
+{
+  const SweepProjectionInput& input;
+  const std::vector<Loop>& loops; ///< of the source quads
+  const Cap& target;
+  const Boundary& boundary;
+  double winding;
+
+  std::vector<bool> used() const
+  {
+    return usedPoints(this->input.source.quads, this->input.source.points.rows());
+  }
+  const Loop& outer() const
+  {
+    return this->loops[longestLoop(this->input.source.points, this->loops)];
+  }
+};
+
+SweepProjection emptyResult(const Projection& given)
+{
+  SweepProjection result;
+  result.startFractions = given.boundary.startFractions;
+  result.doubts = given.boundary.doubts;
+  result.winding = given.winding;
+  return result;
 }
 
-LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
-  const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
-  const Progress& progress, TriangulationImprovement improvement)
+/// From cap to cap, as the method says.
+SweepProjection projectDirectly(const Projection& given, const Progress& progress)
 {
-  const Cap first = makeCap(cap, "input surface");
-  const Cap second = makeCap(partner, "partner surface");
-  const CapNames names{ "input surface", "partner surface",
-    linking ? "linking sides" : "input surface" };
-  LinkedLoops linked;
-  MatchedLoops matched;
-  if (linking)
+  const SweepProjectionInput& input = given.input;
+  SweepProjection result = emptyResult(given);
+  if (!input.targetDisk)
   {
-    linked = linkLoops(first.points(), first.loops(), second.points(), second.loops(),
-      linking->points, linking->quads, matchTolerance);
+    result.targetMismatch =
+      mismatchOf(given.target, given.boundary.lastRings, input.matchTolerance);
+  }
+  const std::vector<FixedNode> placed = placedNodes(input, given.boundary);
+  if (input.method == ProjectionMethod::AffineLeastSquares)
+  {
+    result.quads = projectAffinely(input.source.points, given.used(), placed, given.outer(),
+      given.target.mesh(), progressPart(progress, 0.0, 0.7));
   }
   else
   {
-    matched = matchLoopsByShape(first.points(), first.loops(), second.points(), second.loops(),
-      "input surface", "partner surface");
-    linked.pairs = outerFirst(std::move(matched.pairs));
+    if (input.targetDisk)
+    {
+      checkSameBoundary(*input.sourceDisk, *input.targetDisk);
+      result.source = input.sourceDisk;
+      result.target = input.targetDisk;
+    }
+    else
+    {
+      mapCaps(
+        input, given.loops, given.target, given.boundary, progressPart(progress, 0.0, 0.6), result);
+    }
+    result.quads = projectThroughDisks(input.source.points, given.used(), placed, *result.source,
+      *result.target, progressPart(progress, 0.6, 0.7));
   }
-  LinkedDisks disks;
-  static_cast<CommonDisks&>(disks) =
-    mapPairs(first, second, linked, weights, matchTolerance, progress, names, improvement);
-  std::vector<Points> rings;
-  for (const LoopPair& pair : linked.pairs)
+  // The triangulation of the map, also where it was made here: given maps must give the same bits.
+  improve(result, input, given.boundary, given.outer(),
+    result.target ? result.target->mesh : given.target.mesh(), progressPart(progress, 0.7, 1.0));
+  return result;
+}
+
+Index turnsOf(const SweepProjection& projection)
+{
+  Index turns = 0;
+  for (const MissedHole& hole : projection.missedHoles)
   {
-    rings.push_back(linked.swapped ? pair.second : pair.first);
+    turns += hole.turns;
   }
-  disks.mismatch = mismatchOf(first, rings, matchTolerance);
-  disks.startFractions = std::move(matched.startFractions);
-  disks.doubts = std::move(matched.doubts);
-  return disks;
+  return turns;
+}
+
+/**
+ * Along the sides to the plane of the last ring, and through disk maps from there.
+ *
+ * @return nothing where that way is blocked.
+ */
+std::optional<SweepProjection> projectAlongSides(
+  const Projection& given, const SweepSections& sections, const Progress& progress)
+{
+  const std::optional<CarriedSource> carried = carrySource(
+    given.input.source, *given.input.linking, sections, progressPart(progress, 0.0, 0.5));
+  if (!carried)
+  {
+    return std::nullopt;
+  }
+  SweepProjectionInput section = given.input;
+  section.source = carried->quads;
+  section.sourceSurface.reset();
+  section.linking = carried->linking;
+  SweepProjection result = emptyResult(given);
+  try
+  {
+    if (std::optional<PlaneDisks> plane = planeDisks(*carried, given.target.mesh()))
+    {
+      result.source = std::move(plane->source);
+      result.target = std::move(plane->target);
+    }
+    else
+    {
+      mapCaps(section, given.loops, given.target, given.boundary, progressPart(progress, 0.5, 0.7),
+        result);
+    }
+    result.quads = projectThroughDisks(section.source.points, given.used(),
+      placedNodes(given.input, given.boundary), *result.source, *result.target,
+      progressPart(progress, 0.7, 0.75));
+  }
+  catch (const SolverFailure&)
+  {
+    return std::nullopt;
+  }
+  catch (const InvalidInput&) // of a section that crosses itself in its plane
+  {
+    return std::nullopt;
+  }
+  result.carried = true;
+  result.quads.maximumSourceDistance = 0.0;
+  result.sourceMismatch = sourceMismatch(given.input, given.loops, sourceCap(given.input));
+  result.targetMismatch =
+    mismatchOf(given.target, given.boundary.lastRings, given.input.matchTolerance);
+  const TriangleMesh surface = std::move(result.target->mesh);
+  result.source.reset();
+  result.target.reset();
+  improve(
+    result, given.input, given.boundary, given.outer(), surface, progressPart(progress, 0.75, 1.0));
+  result.missedHoles = missedHoles(given.input.source, result.quads.points, sections);
+  return result;
+}
+
+/// Whether quads are folded that need not be, or wind otherwise than the sides.
+bool isWanting(const SweepProjection& result)
+{
+  return !result.missedHoles.empty() ||
+    result.quality.inverted > static_cast<Index>(result.fixedCorners.inverted.size());
+}
+
+bool betterThan(const SweepProjection& a, const SweepProjection& b)
+{
+  if (turnsOf(a) != turnsOf(b))
+  {
+    return turnsOf(a) < turnsOf(b);
+  }
+  return a.quality.inverted != b.quality.inverted ? a.quality.inverted < b.quality.inverted
+                                                  : a.quality.minimum > b.quality.minimum;
+}
+
+/// Along the sides where they wind far, otherwise where the way from cap to cap leaves anything to
+/// be desired.
+SweepProjection projectWindingSides(
+  const Projection& given, const SweepSections& sections, const Progress& progress)
+{
+  const bool far = given.winding > FarWinding;
+  std::optional<SweepProjection> carried;
+  if (far)
+  {
+    carried = projectAlongSides(given, sections, progressPart(progress, 0.0, 0.5));
+    if (carried && !isWanting(*carried))
+    {
+      return *std::move(carried);
+    }
+  }
+  SweepProjection direct = projectDirectly(given, progressPart(progress, far ? 0.5 : 0.0, 0.95));
+  direct.missedHoles = missedHoles(given.input.source, direct.quads.points, sections);
+  if (!far && given.input.ensureValid && isWanting(direct))
+  {
+    carried = projectAlongSides(given, sections, progressPart(progress, 0.95, 1.0));
+  }
+  return carried && betterThan(*carried, direct) ? *std::move(carried) : std::move(direct);
+}
 }
 
 SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& progress)
@@ -351,40 +477,18 @@ SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& 
   }
   const Cap target = makeCap(given ? input.targetDisk->mesh : input.target, "target surface");
   const Boundary boundary = placeBoundary(input, target, topology.loops);
-  const Loop& outer = topology.loops[longestLoop(input.source.points, topology.loops)];
-  const std::vector<bool> used = usedPoints(input.source.quads, input.source.points.rows());
   reportProgress(progress, 0.05);
 
-  SweepProjection result;
-  result.startFractions = boundary.startFractions;
-  result.doubts = boundary.doubts;
-  if (!given)
+  std::optional<SweepSections> sections;
+  if (input.linking && input.method == ProjectionMethod::Harmonic && !given)
   {
-    result.targetMismatch = mismatchOf(target, boundary.lastRings, input.matchTolerance);
+    sections = sweepSections(*input.linking);
   }
-  if (input.method == ProjectionMethod::AffineLeastSquares)
-  {
-    result.quads = projectAffinely(input.source.points, used, placedNodes(input, boundary), outer,
-      target.mesh(), progressPart(progress, 0.05, 0.7));
-  }
-  else
-  {
-    if (given)
-    {
-      checkSameBoundary(*input.sourceDisk, *input.targetDisk);
-      result.source = input.sourceDisk;
-      result.target = input.targetDisk;
-    }
-    else
-    {
-      mapCaps(input, topology.loops, target, boundary, progressPart(progress, 0.05, 0.6), result);
-    }
-    result.quads = projectThroughDisks(input.source.points, used, placedNodes(input, boundary),
-      *result.source, *result.target, progressPart(progress, 0.6, 0.7));
-  }
-  // The triangulation of the map, also where it was made here: given maps must give the same bits.
-  improve(result, input, boundary, outer, result.target ? result.target->mesh : target.mesh(),
-    progressPart(progress, 0.7, 1.0));
+  const Projection projection{ input, topology.loops, target, boundary,
+    sections ? loopWinding(*sections).greatest() : 0.0 };
+  SweepProjection result = projection.winding > LeastWinding
+    ? projectWindingSides(projection, *sections, progressPart(progress, 0.05, 1.0))
+    : projectDirectly(projection, progressPart(progress, 0.05, 1.0));
   reportProgress(progress, 1.0);
   return result;
 }

@@ -7,11 +7,12 @@
 #ifndef hexsweep_SweepProjection_h
 #define hexsweep_SweepProjection_h
 
+#include "Core/CapQuads/CarriedSource.h"
+#include "Core/CapQuads/LinkedCaps.h"
 #include "Core/CapQuads/QuadPolishing.h"
 #include "Core/CapQuads/QuadProjection.h"
 #include "Core/CapQuads/QuadQuality.h"
 #include "Core/DiskMaps/PaperDiskMap.h"
-#include "Core/Geometry/BoundarySearch.h"
 
 #include <optional>
 #include <string>
@@ -54,7 +55,15 @@ struct SweepProjection
   FixedQuadCorners fixedCorners; ///< of those quads: what their boundary nodes alone decide
   Index invertedBefore = 0;      ///< quads that the projection itself inverted
   int rounds = 0;                ///< descents of untangling and polishing
-  /// The maps that were used; empty for AffineLeastSquares.
+  /// How far the loops wind on their way, see LoopWinding::greatest(); 0 where it was not measured.
+  double winding = 0.0;
+  /// Holes to which the quads do not wind as the sides do, see missedTurns(): hexahedra fold there
+  /// whatever the interior does.
+  std::vector<MissedHole> missedHoles;
+  /// Whether the quads were carried along the sides (carrySource()): the caps have no common map
+  /// then.
+  bool carried = false;
+  /// The maps that were used; empty for AffineLeastSquares, and where the quads were carried.
   std::optional<CapDisk> source;
   std::optional<CapDisk> target;
   /// For PaperHarmonic with one hole.
@@ -68,27 +77,8 @@ struct SweepProjection
   BoundaryMismatch targetMismatch;
 };
 
-/// Two caps and how their loops were matched.
-struct LinkedDisks : CommonDisks
-{
-  /// See MatchedLoops; empty with linking sides.
-  std::vector<double> startFractions;
-  std::vector<std::string> doubts;
-  BoundaryMismatch mismatch; ///< of the linking sides and the (first) cap
-};
-
 /// @throw InvalidInput, SolverFailure, Aborted.
 SweepProjection projectSweep(const SweepProjectionInput& input, const Progress& progress = {});
-
-/**
- * Maps a cap together with its partner; `first` of the result is the cap, `second` the partner.
- *
- * @param linking structured quads between the two; without them loops are matched by shape.
- */
-LinkedDisks mapLinkedCaps(const TriangleMesh& cap, const TriangleMesh& partner,
-  const std::optional<QuadMesh>& linking, Weights weights, double matchTolerance,
-  const Progress& progress = {},
-  TriangulationImprovement improvement = TriangulationImprovement::Off);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/DiskMaps/CommonDiskMap.h"
 
+#include "Core/Common/Constants.h"
 #include "Core/Common/Errors.h"
 #include "Core/DiskMaps/CylinderCap.h"
 #include "Core/Linking/RingParameter.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hexsweep
 {
@@ -73,6 +75,12 @@ PlanePoints mapToAnnulus(const CapBoundary& cap, const CylinderCap& own,
   return disk;
 }
 
+/// The whole turns, as an angle, that bring an angle nearest to the one that is known.
+double turnsBeyond(double angle, const std::optional<double>& known)
+{
+  return known ? 2.0 * Pi * std::round((*known - angle) / (2.0 * Pi)) : 0.0;
+}
+
 void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, const CapWeights& weights)
 {
   const auto measure = [](const CapBoundary& cap, Weights own) {
@@ -96,7 +104,8 @@ void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, const CapWeights& 
       second, caps.second.loops[p], ringAngles(caps.pairs[p].second, caps.united[p]), direction));
   }
   // Mismatch second - first: its mean on the outer loop is a rotation, which no map cares for;
-  // on the hole it counts up to whole turns, of which the nearest to the outer one is meant.
+  // on the hole it counts up to whole turns, of which the one that the sides take is meant, or,
+  // where nobody knows them, the nearest to the outer one.
   const auto meanMismatch = [&](std::size_t p) {
     double sum = 0.0;
     for (std::size_t k = 0; k < firstAngles[p].size(); ++k)
@@ -107,7 +116,9 @@ void mapAnnuli(CommonDisks& disks, const CapBoundaries& caps, const CapWeights& 
   };
   const double rotation = meanMismatch(0);
   const double holeMismatch = meanMismatch(1) - rotation;
-  const double wholeTurns[2] = { 0.0, holeMismatch - wrapAngle(holeMismatch) };
+  const double wholeTurns[2] = { 0.0,
+    holeMismatch - wrapAngle(holeMismatch) -
+      turnsBeyond(wrapAngle(holeMismatch), caps.pairs[1].turn) };
   std::vector<std::vector<double>> forFirst;
   std::vector<std::vector<double>> forSecond;
   for (std::size_t p = 0; p < 2; ++p)

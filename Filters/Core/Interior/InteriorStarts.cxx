@@ -9,6 +9,7 @@
 #include "Core/Interior/LayerMarch.h"
 #include "Core/Interior/MeanValueCoordinates.h"
 #include "Core/Interior/RuledInterior.h"
+#include "Core/Interior/SectionInterior.h"
 
 #include <iterator>
 #include <string>
@@ -35,9 +36,17 @@ constexpr NamedMethod Methods[] = {
 };
 constexpr int Count = static_cast<int>(std::size(Methods));
 
-std::vector<InteriorStart> automaticStarts(bool isRuled)
+/// Turns of loops, in radians, from which layers are carried when all else fails, and at once.
+constexpr double LeastWinding = 0.5;
+constexpr double FarWinding = 2.4;
+
+std::vector<InteriorStart> automaticStarts(bool isRuled, double winding)
 {
   std::vector<InteriorStart> starts;
+  if (winding > FarWinding)
+  {
+    starts.push_back({ "Sections", sectionInterior });
+  }
   if (isRuled)
   {
     starts.push_back({ "Ruled", ruledInterior, true });
@@ -45,6 +54,10 @@ std::vector<InteriorStart> automaticStarts(bool isRuled)
   starts.push_back({ "Blend", blendInterior });
   starts.push_back({ "Blend with fading bulges", fadingBlendInterior, false, capsBulgeApart });
   starts.push_back({ "LayerMarch", layerMarchInterior });
+  if (winding > LeastWinding && winding <= FarWinding)
+  {
+    starts.push_back({ "Sections", sectionInterior });
+  }
   return starts;
 }
 }
@@ -59,7 +72,7 @@ std::vector<std::string> interiorMethodNames()
   return names;
 }
 
-std::vector<InteriorStart> interiorStarts(InteriorKind kind, bool isRuled)
+std::vector<InteriorStart> interiorStarts(InteriorKind kind, bool isRuled, double winding)
 {
   const int number = static_cast<int>(kind);
   if (number < 0 || number >= Count)
@@ -70,6 +83,6 @@ std::vector<InteriorStart> interiorStarts(InteriorKind kind, bool isRuled)
   }
   const NamedMethod& chosen = Methods[number];
   return chosen.method ? std::vector<InteriorStart>{ { chosen.name, chosen.method } }
-                       : automaticStarts(isRuled);
+                       : automaticStarts(isRuled, winding);
 }
 }

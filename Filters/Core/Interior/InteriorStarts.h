@@ -31,8 +31,11 @@ std::vector<std::string> interiorMethodNames();
 
 /// @param isRuled whether the cage is (SweepCage::isRuled): Automatic begins with its straight
 /// lines.
+/// @param winding how far loops turn (windingOf()): Automatic ends with sectionInterior() where
+/// they turn by more than 30 degrees, and begins with it beyond 135, where the others fold.
 /// @throw InvalidInput for a number that is no method's.
-std::vector<InteriorStart> interiorStarts(InteriorKind kind, bool isRuled = false);
+std::vector<InteriorStart> interiorStarts(
+  InteriorKind kind, bool isRuled = false, double winding = 0.0);
 }
 
 #endif

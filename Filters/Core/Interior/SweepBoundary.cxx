@@ -56,8 +56,10 @@ SweepBoundary gatherSweepBoundary(
       boundary.outerBegin = static_cast<Index>(boundary.nodes.size());
       boundary.outerSize = static_cast<Index>(loop.size());
     }
+    boundary.begins.push_back(static_cast<Index>(boundary.nodes.size()));
     boundary.nodes.insert(boundary.nodes.end(), loop.begin(), loop.end());
   }
+  boundary.begins.push_back(static_cast<Index>(boundary.nodes.size()));
 
   const Index layers = rings.numberOfLayers();
   for (Index k = 0; k <= layers; ++k)

@@ -23,6 +23,8 @@ struct SweepBoundary
   /// Rows of the outer loop (the loop whose vector area on the source is largest).
   Index outerBegin = 0;
   Index outerSize = 0;
+  /// First row of each loop, then the number of rows.
+  std::vector<Index> begins;
   /// How far along its columns layer k lies: mean over the columns of the fraction of the length,
   /// 0 at the source, 1 at the target, rising. Equals k / L where the layers are equally thick.
   std::vector<double> fractions;

@@ -7,6 +7,7 @@
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Linking/LinkingRings.h"
 #include "Core/Linking/RingParameter.h"
+#include "Core/Linking/SweepSections.h"
 #include "Core/Surfaces/SeamWelding.h"
 #include "Core/Surfaces/SurfaceRefinement.h"
 #include "Core/Surfaces/SurfaceTopology.h"
@@ -200,6 +201,13 @@ CapBoundary splitAtUnion(const TriangleMesh& mesh, const AttachedLoops& attached
   return cap;
 }
 
+/// Whether the ends of a side, as its quads give them, run against its rings.
+bool runsAgainst(const RingStack& rings, std::size_t side, bool fromSecond)
+{
+  // The two ends of an oriented side run against each other.
+  return rings.turned[side] != fromSecond;
+}
+
 /// The ends of a side as its quads give them: from the least id on, in the way of the first quad.
 LoopPair pairFrom(const RingStack& rings, std::size_t side, bool fromSecond)
 {
@@ -209,9 +217,8 @@ LoopPair pairFrom(const RingStack& rings, std::size_t side, bool fromSecond)
   const Index end = rings.numberOfLayers() - begin;
   Index column = 0;
   table.row(begin).minCoeff(&column);
-  // The two ends of an oriented side run against each other.
-  const Index step = rings.turned[side] != fromSecond ? n - 1 : 1;
-  LoopPair pair{ Points(n, 3), Points(n, 3) };
+  const Index step = runsAgainst(rings, side, fromSecond) ? n - 1 : 1;
+  LoopPair pair{ Points(n, 3), Points(n, 3), std::nullopt };
   for (Index j = 0; j < n; ++j, column = (column + step) % n)
   {
     pair.first.row(j) = rings.points.row(table(begin, column));
@@ -256,9 +263,20 @@ LinkedLoops linkLoops(const RingStack& rings)
   std::sort(secondOnes.begin(), secondOnes.end());
   LinkedLoops linked;
   linked.swapped = secondOnes < firstOnes;
+  const std::optional<SweepSections> sections = sweepSections(rings);
   for (const auto& [id, side] : linked.swapped ? secondOnes : firstOnes)
   {
     linked.pairs.push_back(pairFrom(rings, side, linked.swapped));
+  }
+  if (sections)
+  {
+    const bool against = runsAgainst(rings, sections->outer, linked.swapped) != linked.swapped;
+    const std::vector<double> own = loopWinding(*sections).own;
+    for (std::size_t p = 0; p < linked.pairs.size(); ++p)
+    {
+      const double turn = own[(linked.swapped ? secondOnes : firstOnes)[p].second];
+      linked.pairs[p].turn = against ? -turn : turn;
+    }
   }
   linked.pairs = outerFirst(std::move(linked.pairs));
   return linked;
@@ -300,7 +318,15 @@ LinkedLoops linkLoops(const PointsRef& firstCap, const std::vector<Loop>& firstL
   for (std::size_t l = 0; l < starts.size(); ++l)
   {
     linked.pairs.push_back(
-      { ringPoints(rings, l, 0), ringPoints(rings, l, rings.numberOfLayers()) });
+      { ringPoints(rings, l, 0), ringPoints(rings, l, rings.numberOfLayers()), std::nullopt });
+  }
+  if (const std::optional<SweepSections> sections = sweepSections(rings))
+  {
+    const std::vector<double> own = loopWinding(*sections).own;
+    for (std::size_t l = 0; l < starts.size(); ++l)
+    {
+      linked.pairs[l].turn = own[l];
+    }
   }
   linked.pairs = outerFirst(std::move(linked.pairs));
   return linked;

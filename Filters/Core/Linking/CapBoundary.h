@@ -10,6 +10,7 @@
 #include "Core/Linking/RingStack.h"
 #include "Core/Surfaces/Cap.h"
 
+#include <optional>
 #include <string>
 
 namespace hexsweep
@@ -19,6 +20,9 @@ struct LoopPair
 {
   Points first;  ///< n x 3
   Points second; ///< n x 3
+  /// How far the loop turns against the outer one on its way from the first cap to the second, in
+  /// radians, whole turns counted, positive as the outer loop runs; nothing where nobody knows.
+  std::optional<double> turn = std::nullopt;
 };
 
 /// What the user calls the caps and what ties them together, for messages.

@@ -233,7 +233,7 @@ SweepProjection projectWithBorders(
   const bool improveQuality = std::exchange(input.improveQuality, false);
   const SweepProjection first = projectSweep(input, progressPart(progress, 0.0, 0.5));
   const double inverted = static_cast<double>(first.quality.inverted);
-  if (input.method == ProjectionMethod::Harmonic)
+  if (input.method == ProjectionMethod::Harmonic && !first.carried)
   {
     input.sourceDisk = first.source;
     input.targetDisk = first.target;

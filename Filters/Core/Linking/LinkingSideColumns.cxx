@@ -8,6 +8,7 @@
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Linking/ColumnEnds.h"
 #include "Core/Linking/RingParameter.h"
+#include "Core/Linking/RingQuads.h"
 #include "Core/Surfaces/SurfaceArea.h"
 
 #include <Eigen/Geometry>
@@ -23,6 +24,8 @@ namespace
 constexpr Index Samples = 64;            // of a column's length
 constexpr double TrianglesOfRing = 32.0; // a side of n columns is cut as finely as n n / this...
 constexpr double LeastTriangles = 500.0; // ... triangles would be, but not coarser than this
+/// Of the least sine of a corner: rings are levelled where that gains so much.
+constexpr double LevelGain = 1.25;
 
 double longestEdge(const SideTube& side, Index columns)
 {
@@ -57,6 +60,13 @@ double valueAt(const std::vector<double>& values, double place)
   return fraction == 0.0 ? values[edge] : values[edge] + fraction * (next - values[edge]);
 }
 
+/// The point of a CAD edge after a height, and the fraction of the way to it from the one before.
+std::pair<std::size_t, double> placeOn(const StripColumn& edge, double u)
+{
+  const std::size_t after = static_cast<std::size_t>(
+    std::upper_bound(edge.u.begin(), edge.u.end() - 1, u) - edge.u.begin());
+  return { after, (u - edge.u[after - 1]) / (edge.u[after] - edge.u[after - 1]) };
+}
 }
 
 LinkingSideColumns::LinkingSideColumns(
@@ -191,16 +201,13 @@ void LinkingSideColumns::measure()
     if (this->Edge[j] >= 0)
     {
       const StripColumn& column = this->Strip.columns[static_cast<std::size_t>(this->Edge[j])];
-      double length = 0.0;
-      for (std::size_t k = 1; k < column.points.size(); ++k)
-      {
-        length += (this->Strip.surface.points.row(column.points[k]) -
-          this->Strip.surface.points.row(column.points[k - 1]))
-                    .norm();
-      }
+      const std::vector<double> lengths =
+        reachedLengths(loopPoints(this->Strip.surface.points, column.points));
       for (Index s = 1; s <= Samples; ++s)
       {
-        this->Reached(row, s) = length * static_cast<double>(s) / static_cast<double>(Samples);
+        const double u = static_cast<double>(s) / static_cast<double>(Samples);
+        const auto [after, along] = placeOn(column, u);
+        this->Reached(row, s) = lengths[after - 1] + along * (lengths[after] - lengths[after - 1]);
       }
       continue;
     }
@@ -324,7 +331,63 @@ Eigen::MatrixXd LinkingSideColumns::heights(
     }
     u = (1.0 - weight) * byLength + weight * mean.replicate(n, 1);
   }
+  if (keepsPatches || !this->isSteep(u))
+  {
+    return u;
+  }
+  // Columns that go round ledges are longer than their neighbours, and rings would leap there.
+  const Eigen::MatrixXd steep = u;
+  double least = this->leastSine(u);
+  for (const double weight : { 0.5, 1.0 })
+  {
+    const Eigen::MatrixXd level = (1.0 - weight) * steep + weight * mean.replicate(n, 1);
+    const double sine = this->isStraight(level) ? this->leastSine(level) : least;
+    if (sine > LevelGain * least)
+    {
+      u = level;
+      least = sine;
+    }
+  }
   return u;
+}
+
+/// Whether a ring rises somewhere by more than it advances.
+bool LinkingSideColumns::isSteep(const Eigen::MatrixXd& u) const
+{
+  const Index n = this->size();
+  for (Index j = 0; j < n; ++j)
+  {
+    const Index next = (j + 1) % n;
+    const double step = (this->Ring.row(next) - this->Ring.row(j)).norm();
+    if ((u.row(next) - u.row(j)).cwiseAbs().maxCoeff() * this->meanLength() > step)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Of the corners of all quads with nodes at these heights.
+double LinkingSideColumns::leastSine(const Eigen::MatrixXd& u) const
+{
+  const Index n = this->size();
+  const auto ringAt = [&](Index k) {
+    Points ring(n, 3);
+    for (Index j = 0; j < n; ++j)
+    {
+      ring.row(j) = this->nodeOn(static_cast<std::size_t>(j), u(j, k));
+    }
+    return ring;
+  };
+  double least = 1.0;
+  Points below = ringAt(0);
+  for (Index k = 1; k < u.cols(); ++k)
+  {
+    Points above = ringAt(k);
+    least = std::min(least, leastCornerSine(below, above));
+    below = std::move(above);
+  }
+  return least;
 }
 
 Eigen::RowVector2d LinkingSideColumns::planePlace(const Eigen::MatrixXd& u, Index j, Index k) const
@@ -363,9 +426,7 @@ Eigen::RowVector3d LinkingSideColumns::nodeOn(std::size_t column, double u) cons
     return this->inside(column, u).point;
   }
   const StripColumn& edge = this->Strip.columns[static_cast<std::size_t>(this->Edge[column])];
-  const std::size_t after = static_cast<std::size_t>(
-    std::upper_bound(edge.u.begin(), edge.u.end() - 1, u) - edge.u.begin());
-  const double along = (u - edge.u[after - 1]) / (edge.u[after] - edge.u[after - 1]);
+  const auto [after, along] = placeOn(edge, u);
   const Eigen::RowVector3d a = this->Strip.surface.points.row(edge.points[after - 1]);
   return a + along * (this->Strip.surface.points.row(edge.points[after]) - a);
 }

@@ -103,6 +103,8 @@ private:
   Eigen::RowVector2d planePlace(const Eigen::MatrixXd& u, Index j, Index k) const;
   /// Whether all quads are convex in the strip, the right way round.
   bool isStraight(const Eigen::MatrixXd& u) const;
+  bool isSteep(const Eigen::MatrixXd& u) const;
+  double leastSine(const Eigen::MatrixXd& u) const;
   /// Inside a column, on its CAD edge if it is one.
   Eigen::RowVector3d nodeOn(std::size_t column, double u) const;
 

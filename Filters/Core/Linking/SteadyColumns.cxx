@@ -14,6 +14,9 @@ constexpr double MostFall = 0.1;
 /// caps that change their shape were seen up to 0.06 beside it, edges that wander from 0.24 on.
 constexpr double MostAside = 0.12;
 
+/// Of the heights along an edge: by its length, so that they rise where those of the strip do not.
+constexpr double ShareOfLength = 0.02;
+
 /// An edge in a strip: (v, u) from its first point, v without jumps.
 using Course = std::vector<Eigen::RowVector2d>;
 
@@ -55,6 +58,30 @@ bool isSteady(const Course& course, double drift)
 }
 }
 
+namespace
+{
+/// Heights of the points of an edge that is steady, strictly rising from 0 to 1.
+std::vector<double> risingHeights(const StripColumn& column, const PlanePointsRef& free)
+{
+  const std::size_t n = column.points.size();
+  std::vector<double> highest;
+  for (const Index point : column.points)
+  {
+    highest.push_back(std::max(free(point, 1), highest.empty() ? 0.0 : highest.back()));
+  }
+  std::vector<double> heights(n, 1.0);
+  double lowest = 1.0;
+  for (std::size_t k = n; k-- > 0;)
+  {
+    lowest = std::min(lowest, free(column.points[k], 1));
+    heights[k] = (1.0 - ShareOfLength) * 0.5 * (highest[k] + lowest) + ShareOfLength * column.u[k];
+  }
+  heights.front() = 0.0;
+  heights.back() = 1.0;
+  return heights;
+}
+}
+
 std::vector<StripColumn> steadyColumns(
   const std::vector<StripColumn>& columns, const PlanePointsRef& free)
 {
@@ -71,6 +98,7 @@ std::vector<StripColumn> steadyColumns(
     if (isSteady(courses[c], usual) || isSteady(courses[c], 0.0))
     {
       steady.push_back(columns[c]);
+      steady.back().u = risingHeights(columns[c], free);
     }
   }
   return steady;

@@ -7,6 +7,7 @@
 #include "Core/Linking/SectionMarch.h"
 #include "Core/Surfaces/QuadHalving.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hexsweep
@@ -82,12 +83,37 @@ std::optional<PlaneDisks> planeDisks(const CarriedSource& source, const Triangle
   return disks;
 }
 
+namespace
+{
+/// Of the quads: where more are turned over in the plane of its rim, a cap bulges beyond it, and
+/// turns cannot be read there.
+constexpr double MostTurnedOver = 0.05;
+
+bool foldsBack(const QuadsRef& quads, const PlanePoints& plane)
+{
+  Index upright = 0;
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    const Eigen::RowVector2d d = plane.row(quads(q, 2)) - plane.row(quads(q, 0));
+    const Eigen::RowVector2d e = plane.row(quads(q, 3)) - plane.row(quads(q, 1));
+    upright += d.x() * e.y() > d.y() * e.x() ? 1 : 0;
+  }
+  return static_cast<double>(std::min(upright, quads.rows() - upright)) >
+    MostTurnedOver * static_cast<double>(quads.rows());
+}
+}
+
 std::vector<MissedHole> missedHoles(
   const QuadMesh& source, const Points& target, const SweepSections& sections)
 {
-  const std::vector<Index> turns = missedTurns(sections, source.quads,
-    sections.frames.front().flatten(source.points), sections.frames.back().flatten(target));
   std::vector<MissedHole> missed;
+  const PlanePoints begin = sections.frames.front().flatten(source.points);
+  const PlanePoints end = sections.frames.back().flatten(target);
+  if (foldsBack(source.quads, begin) || foldsBack(source.quads, end))
+  {
+    return missed;
+  }
+  const std::vector<Index> turns = missedTurns(sections, source.quads, begin, end);
   for (std::size_t l = 0; l < turns.size(); ++l)
   {
     if (turns[l] > 0)

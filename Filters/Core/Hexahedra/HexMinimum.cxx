@@ -20,7 +20,7 @@ constexpr double LeastSharpness = 30.0;
 constexpr int StagnantRounds = 10;
 constexpr double LeastGain = 0.01;       // of the minimum, to count as progress
 constexpr double VisitsForAny = 20000.0; // that any mesh may cost
-constexpr double VisitsPerNode = 3.0;
+constexpr double VisitsPerNode = 0.1;    // and each free node besides
 constexpr Index NodesAtOnce = 64;
 
 struct Shortfall
@@ -76,12 +76,11 @@ RaisedMinimum raiseMinimum(const PointsRef& points, const HexesRef& hexes,
 {
   constexpr double Preparation = 0.1;
   HexNodeMoves moves(points, hexes, fixed, parallelFor, progressPart(progress, 0.0, Preparation));
-  double most = 0.0;
+  double most = VisitsForAny;
   for (const std::vector<Index>& group : moves.groups())
   {
     most += VisitsPerNode * static_cast<double>(group.size());
   }
-  most = std::max(most, VisitsForAny);
   Shortfall reached = shortfall(moves.qualities(), wanted);
   RaisedMinimum result;
   result.before = reached.hexes;

@@ -28,8 +28,8 @@ struct RaisedMinimum
  * and the least around the node that moves: the least scaled Jacobian of the mesh does not fall.
  * Bits do not depend on the number of threads.
  *
- * Ends where all have what is wanted, where nothing is gained any more, and after three visits for
- * each free node of the mesh (of a small one, 20 000 in all): counted, not timed.
+ * Ends where all have what is wanted, where nothing is gained any more, and after 20000 visits
+ * of nodes and one for every ten free nodes of the mesh: counted, not timed.
  *
  * @param points n x 3.
  * @param hexes  m x 8 ids in [0, n).

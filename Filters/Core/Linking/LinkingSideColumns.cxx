@@ -3,10 +3,10 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Common/Predicates.h"
-#include "Core/Geometry/BoundarySearch.h"
 #include "Core/Geometry/ClosedPolygon.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Linking/ColumnEnds.h"
+#include "Core/Linking/LayerSpacing.h"
 #include "Core/Linking/RingParameter.h"
 #include "Core/Linking/RingQuads.h"
 #include "Core/Surfaces/SurfaceArea.h"
@@ -26,28 +26,13 @@ constexpr double TrianglesOfRing = 32.0; // a side of n columns is cut as finely
 constexpr double LeastTriangles = 500.0; // ... triangles would be, but not coarser than this
 /// Of the least sine of a corner: rings are levelled where that gains so much.
 constexpr double LevelGain = 1.25;
+constexpr Index LayersLookedAt = 16;
 
 double longestEdge(const SideTube& side, Index columns)
 {
   const double n = static_cast<double>(columns);
   return std::sqrt(
     2.0 * surfaceArea(side.surface) / std::max(LeastTriangles, n * n / TrianglesOfRing));
-}
-
-/// Whether the ring runs the way the loop does.
-bool runsAlong(const PointsRef& ring, const PointsRef& points, const Loop& loop)
-{
-  const BoundarySearch search(points, { loop });
-  const double nodes = static_cast<double>(loop.size());
-  double sum = 0.0;
-  double last = search.closest(ring.row(ring.rows() - 1)).position;
-  for (Index i = 0; i < ring.rows(); ++i)
-  {
-    const double position = search.closest(ring.row(i)).position;
-    sum += std::remainder(position - last, nodes);
-    last = position;
-  }
-  return sum > 0.0;
 }
 
 /// Value at a place (edge + fraction) of a loop whose values rise by 1 a round.
@@ -71,8 +56,22 @@ std::pair<std::size_t, double> placeOn(const StripColumn& edge, double u)
 
 LinkingSideColumns::LinkingSideColumns(
   const SideTube& side, const PointsRef& ring, double matchTolerance)
-  : Strip(mapSideToStrip(side, longestEdge(side, ring.rows())))
 {
+  this->map(side, ring, matchTolerance, EdgeHeights::ByLength);
+  // An edge round a ledge is longer than its neighbourhood: rings would leap where they meet it.
+  if (this->keptEdges() > 0 && this->Meshed.layers == 0 &&
+    this->isSteep(this->heightsByLength(layerFractions(LayersLookedAt), false)))
+  {
+    this->LostEdges.clear();
+    this->LostCorners.clear();
+    this->map(side, ring, matchTolerance, EdgeHeights::OfNeighborhood);
+  }
+}
+
+void LinkingSideColumns::map(
+  const SideTube& side, const PointsRef& ring, double matchTolerance, EdgeHeights heights)
+{
+  this->Strip = mapSideToStrip(side, longestEdge(side, ring.rows()), heights);
   this->Search.emplace(this->Strip);
   this->placeRing(ring, matchTolerance);
   this->Meshed = tracePatches(side.patches, this->Ring,
@@ -302,7 +301,7 @@ std::vector<double> LinkingSideColumns::fractionsOf(
   return fractions;
 }
 
-Eigen::MatrixXd LinkingSideColumns::heights(
+Eigen::MatrixXd LinkingSideColumns::heightsByLength(
   const std::vector<double>& fractions, bool keepsPatches) const
 {
   const Index n = this->size();
@@ -319,9 +318,17 @@ Eigen::MatrixXd LinkingSideColumns::heights(
                        : this->uAt(static_cast<std::size_t>(j), own[static_cast<std::size_t>(k)]);
     }
   }
+  return u;
+}
+
+Eigen::MatrixXd LinkingSideColumns::heights(
+  const std::vector<double>& fractions, bool keepsPatches) const
+{
+  const Index n = this->size();
   // Neighbouring columns of very different length can turn a quad over in the strip. Rings of one
   // height never do: go towards them as far as it takes.
-  const Eigen::MatrixXd byLength = u;
+  const Eigen::MatrixXd byLength = this->heightsByLength(fractions, keepsPatches);
+  Eigen::MatrixXd u = byLength;
   const Eigen::RowVectorXd mean = u.colwise().mean();
   for (const double weight : { 0.25, 0.5, 0.75, 1.0 })
   {
@@ -335,7 +342,6 @@ Eigen::MatrixXd LinkingSideColumns::heights(
   {
     return u;
   }
-  // Columns that go round ledges are longer than their neighbours, and rings would leap there.
   const Eigen::MatrixXd steep = u;
   double least = this->leastSine(u);
   for (const double weight : { 0.5, 1.0 })

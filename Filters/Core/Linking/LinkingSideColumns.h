@@ -90,6 +90,7 @@ public:
   Index flipped() const { return this->Strip.flipped; }
 
 private:
+  void map(const SideTube& side, const PointsRef& ring, double matchTolerance, EdgeHeights heights);
   void placeRing(const PointsRef& ring, double matchTolerance);
   void findEnds();
   void measure();
@@ -97,6 +98,7 @@ private:
   Eigen::RowVector3d onTargetLoop(double v) const;
   double uAt(std::size_t column, double fraction) const;
   StripPlace inside(std::size_t column, double u) const;
+  Eigen::MatrixXd heightsByLength(const std::vector<double>& fractions, bool keepsPatches) const;
   /// Of column j at layer k: u, by length along the columns unless that turns quads over.
   Eigen::MatrixXd heights(const std::vector<double>& fractions, bool keepsPatches) const;
   /// (v, u) of a node; columns go on round the tube. @param u see heights().

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Linking/RingParameter.h"
 
+#include "Core/Geometry/BoundarySearch.h"
+
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/TriangleSearch.h"
@@ -321,5 +323,20 @@ std::vector<double> ringLengths(const PointsRef& ring, const std::vector<double>
 std::vector<double> ringAngles(const PointsRef& ring, const std::vector<double>& united)
 {
   return anglesOfLengths(ringLengths(ring, united));
+}
+
+bool runsAlong(const PointsRef& ring, const PointsRef& points, const Loop& loop)
+{
+  const BoundarySearch search(points, { loop });
+  const double nodes = static_cast<double>(loop.size());
+  double sum = 0.0;
+  double last = search.closest(ring.row(ring.rows() - 1)).position;
+  for (Index i = 0; i < ring.rows(); ++i)
+  {
+    const double position = search.closest(ring.row(i)).position;
+    sum += std::remainder(position - last, nodes);
+    last = position;
+  }
+  return sum > 0.0;
 }
 }

@@ -46,6 +46,9 @@ std::vector<double> ringLengths(const PointsRef& ring, const std::vector<double>
 
 /// The same without the last entry, scaled so that the whole length is 2 pi.
 std::vector<double> ringAngles(const PointsRef& ring, const std::vector<double>& united);
+
+/// Whether a ring that lies on a loop runs the way the loop does.
+bool runsAlong(const PointsRef& ring, const PointsRef& points, const Loop& loop);
 }
 
 #endif

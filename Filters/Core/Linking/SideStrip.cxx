@@ -400,12 +400,20 @@ PlanePoints freePlaces(SideStrip strip)
 }
 }
 
-SideStrip mapSideToStrip(const SideTube& side, double longestEdge)
+SideStrip mapSideToStrip(const SideTube& side, double longestEdge, EdgeHeights heights)
 {
   SideStrip strip = refinedSide(side, longestEdge);
   if (!strip.columns.empty())
   {
-    strip.columns = steadyColumns(strip.columns, freePlaces(strip));
+    const PlanePoints free = freePlaces(strip);
+    strip.columns = steadyColumns(strip.columns, free);
+    for (StripColumn& column : strip.columns)
+    {
+      if (heights == EdgeHeights::OfNeighborhood)
+      {
+        column.u = risingHeights(column, free);
+      }
+    }
   }
   fillStrip(strip);
   return strip;

@@ -32,8 +32,8 @@ struct SideTube
  * Harmonic map to the strip [0, 1) x [0, 1], periodic in v.
  *
  * u and v are harmonic; v is the fraction of the source loop's length there, CAD edges have a
- * constant v and the u of a strip without any (see steadyColumns()), and v on the target loop goes
- * by length between them. Without CAD edges the target loop is turned as the conjugate of u has it.
+ * constant v and u by their length (or see EdgeHeights), and v on the target loop goes by length
+ * between them. Without CAD edges the target loop is turned as the conjugate of u has it.
  * With boundary values like these a harmonic map to a flat strip is one-to-one where its weights
  * are positive \cite Floater2003OneToOne.
  */
@@ -51,13 +51,21 @@ struct SideStrip
   Index flipped = 0;                ///< triangles that are not positively oriented in the strip
 };
 
+/// Heights u of the points of CAD edges.
+enum class EdgeHeights
+{
+  ByLength,
+  OfNeighborhood ///< as in a strip that knows no CAD edge, see risingHeights()
+};
+
 /**
  * @param longestEdge edges of the side that are longer are halved first, so that the map is as
  *        smooth as the mesh that is to come; > 0.
  * @throw InvalidInput when the side is no tube or its source loop is none of its boundaries;
  *        SolverFailure.
  */
-SideStrip mapSideToStrip(const SideTube& side, double longestEdge);
+SideStrip mapSideToStrip(
+  const SideTube& side, double longestEdge, EdgeHeights heights = EdgeHeights::ByLength);
 
 /// A place on the side.
 struct StripPlace

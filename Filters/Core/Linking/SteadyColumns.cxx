@@ -58,9 +58,27 @@ bool isSteady(const Course& course, double drift)
 }
 }
 
-namespace
+std::vector<StripColumn> steadyColumns(
+  const std::vector<StripColumn>& columns, const PlanePointsRef& free)
 {
-/// Heights of the points of an edge that is steady, strictly rising from 0 to 1.
+  std::vector<Course> courses;
+  for (const StripColumn& column : columns)
+  {
+    courses.push_back(courseOf(column, free));
+  }
+  std::vector<StripColumn> steady;
+  const double usual = courses.empty() ? 0.0 : medianDrift(courses);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+  {
+    // Like the others, or like the strip without edges.
+    if (isSteady(courses[c], usual) || isSteady(courses[c], 0.0))
+    {
+      steady.push_back(columns[c]);
+    }
+  }
+  return steady;
+}
+
 std::vector<double> risingHeights(const StripColumn& column, const PlanePointsRef& free)
 {
   const std::size_t n = column.points.size();
@@ -79,28 +97,5 @@ std::vector<double> risingHeights(const StripColumn& column, const PlanePointsRe
   heights.front() = 0.0;
   heights.back() = 1.0;
   return heights;
-}
-}
-
-std::vector<StripColumn> steadyColumns(
-  const std::vector<StripColumn>& columns, const PlanePointsRef& free)
-{
-  std::vector<Course> courses;
-  for (const StripColumn& column : columns)
-  {
-    courses.push_back(courseOf(column, free));
-  }
-  std::vector<StripColumn> steady;
-  const double usual = courses.empty() ? 0.0 : medianDrift(courses);
-  for (std::size_t c = 0; c < columns.size(); ++c)
-  {
-    // Like the others, or like the strip without edges.
-    if (isSteady(courses[c], usual) || isSteady(courses[c], 0.0))
-    {
-      steady.push_back(columns[c]);
-      steady.back().u = risingHeights(columns[c], free);
-    }
-  }
-  return steady;
 }
 }

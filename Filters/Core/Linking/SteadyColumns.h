@@ -19,12 +19,14 @@ namespace hexsweep
  * @param columns of a side, in the order of its source loop.
  * @param free    (v, u) of each point of the side in a harmonic strip that knows no CAD edge; v has
  *                period 1.
- * @return those that are left, in the same order, with the heights u of `free` along them (made to
- *         rise where these fall back): an edge round a ledge has no other heights than its
- *         neighbourhood, although it is longer.
+ * @return those that are left, in the same order.
  */
 std::vector<StripColumn> steadyColumns(
   const std::vector<StripColumn>& columns, const PlanePointsRef& free);
+
+/// The heights u of `free` along an edge, made to rise strictly from 0 to 1: an edge round a ledge
+/// has no other heights than its neighbourhood then, although it is longer.
+std::vector<double> risingHeights(const StripColumn& column, const PlanePointsRef& free);
 }
 
 #endif

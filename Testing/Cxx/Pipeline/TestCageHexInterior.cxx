@@ -497,7 +497,7 @@ void expectConflicts(const Sweep& sweep, const std::vector<std::string>& parts)
   // Everything else is mended, and at the first start.
   EXPECT_LE(input.report("NotCertified"), conflicts);
   EXPECT_LE(
-    output->GetFieldData()->GetAbstractArray(hexsweep::reports::Steps)->GetNumberOfValues(), 3);
+    output->GetFieldData()->GetAbstractArray(hexsweep::reports::Steps)->GetNumberOfValues(), 4);
   EXPECT_LE(input.report("FloorScaledJacobian"), 0.0);
   ASSERT_EQ(input.events.warnings.size(), 1u);
   const std::string& text = input.events.warnings.front();
@@ -844,14 +844,14 @@ TEST(CageHexInterior, EnsureValidAndImproveQualityDoWhatTheySay)
   filter->Update();
   EXPECT_EQ(countInverted(filter->GetOutput()), 0);
   EXPECT_EQ(value(hexsweep::reports::NotCertified), 0);
-  EXPECT_EQ(method(), "Blend + untangling");
+  EXPECT_EQ(method(), "Blend + raised minimum");
   const double minimum = value(hexsweep::reports::MinScaledJacobian);
   const double mean = value(hexsweep::reports::MeanScaledJacobian);
 
   filter->ImproveQualityOn();
   filter->Update();
   EXPECT_EQ(value(hexsweep::reports::NotCertified), 0);
-  EXPECT_EQ(method(), "Blend + untangling + polish");
+  EXPECT_EQ(method(), "Blend + raised minimum + polish");
   EXPECT_GE(value(hexsweep::reports::MinScaledJacobian), minimum);
   EXPECT_GT(value(hexsweep::reports::MeanScaledJacobian), mean + 0.01);
   EXPECT_LE(

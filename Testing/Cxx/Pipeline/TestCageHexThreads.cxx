@@ -176,7 +176,7 @@ TEST(CageHexThreads, SameBitsWithAllDefaults)
   auto* method =
     vtkStringArray::SafeDownCast(one->GetFieldData()->GetAbstractArray(hexsweep::reports::Method));
   ASSERT_TRUE(method);
-  EXPECT_EQ(std::string(method->GetValue(0)), "Blend + untangling + polish");
+  EXPECT_EQ(std::string(method->GetValue(0)), "Blend + untangling + raised minimum + polish");
   for (const int threads : { 2, 3 })
   {
     expectSameGrids(one, run(threads));

@@ -282,11 +282,15 @@ TEST_P(CurvedCaps, EveryQuadLandsUprightOnTheSurface)
     ASSERT_TRUE(events.errors.empty()) << events.errors[0];
     vtkUnstructuredGrid* output = filter->GetOutput();
     EXPECT_EQ(report(output, hexsweep::reports::InvertedQuads), 0);
-    EXPECT_EQ(report(output, hexsweep::reports::FlipsAfter), 0);
+    // Where the hole turns that far, quads are carried along the sides, without disk maps.
+    const bool isCarried = !output->GetFieldData()->HasArray(hexsweep::reports::FlipsAfter);
+    EXPECT_EQ(isCarried, std::string(GetParam().name) == "ThreeQuartersHoleTurnsAndShrinks");
+    EXPECT_EQ(isCarried ? 0.0 : report(output, hexsweep::reports::FlipsAfter), 0);
     EXPECT_EQ(report(output, hexsweep::reports::Outside), 0);
     EXPECT_TRUE(events.warnings.empty()) << events.warnings[0];
     // A wavy rim folds quads that the projection carries over; elsewhere it is upright by itself.
-    EXPECT_EQ(report(output, hexsweep::reports::InvertedBefore) > 0, GetParam().wave > 0.0);
+    EXPECT_EQ(
+      report(output, hexsweep::reports::InvertedBefore) > 0, GetParam().wave > 0.0 || isCarried);
     expectUpright(output);
 
     std::map<Place, Place> ends;

@@ -95,7 +95,7 @@ TEST(ColumnEnds, AnchorsAreKeptExactly)
   const ColumnEnds found = columnEnds(evenly(20), { 3 }, anchors, 0.0, { 0.3, 0.31, 0.1 });
   EXPECT_EQ(found.ends[2], 0.3);
   EXPECT_EQ(found.ends[15], 0.7);
-  EXPECT_EQ(columnAt(found, 0.31), 3);
+  EXPECT_EQ(columnAt(found, 0.31), 6);
   expectInOrder(found.ends);
 }
 

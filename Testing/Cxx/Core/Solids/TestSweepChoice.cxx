@@ -119,7 +119,7 @@ TEST(SweepSize, Coarsening)
 {
   EXPECT_EQ(hexsweep::coarseningFor(10.0, 1000, 0.1), 1.0); // 100000
   EXPECT_EQ(hexsweep::coarseningFor(0.001, 1000, 0.1), 1.0);
-  EXPECT_NEAR(hexsweep::coarseningFor(800.0, 1000, 0.1), 2.0, 1e-12);
+  EXPECT_NEAR(hexsweep::coarseningFor(200.0, 1000, 0.1), 2.0, 1e-12);
   // What is twice as coarse stays within it: a quarter of the quads, half the layers.
-  EXPECT_EQ(hexsweep::coarseningFor(800.0, 250, 0.2), 1.0);
+  EXPECT_EQ(hexsweep::coarseningFor(200.0, 250, 0.2), 1.0);
 }

@@ -5,7 +5,7 @@
 Writes OUTPUT/<family><seed>/{solid.geo, solid.vtu, case.json} for every family (see families.py) and
 every seed from FIRST to LAST. The solids are made and tessellated by the program gmsh, which is run
 as a process of its own; nothing of HexSweep needs it. A seed always gives the same solid, with the
-same gmsh. Where gmsh makes no closed surface with both caps, the next attempt takes its place.
+same gmsh; those that are there already are left out. Where gmsh makes no closed surface with both caps, the next attempt takes its place.
 """
 
 import json
@@ -124,7 +124,7 @@ def make(folder, family, seed):
         try:
             attempt(folder, family, seed, number)
             return problems
-        except (ValueError, subprocess.TimeoutExpired) as problem:
+        except (ValueError, IndexError, subprocess.TimeoutExpired) as problem:
             problems.append(str(problem))
     raise RuntimeError(f"{family}{seed}: " + " | ".join(problems))
 
@@ -133,6 +133,8 @@ def main():
     output, first, last = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     for family in sys.argv[4:] or FAMILIES:
         for seed in range(first, last + 1):
+            if (output / f"{family}{seed}" / "case.json").exists():
+                continue
             problems = make(output / f"{family}{seed}", family, seed)
             print(f"{family}{seed}", *(f"({p})" for p in problems), flush=True)
 

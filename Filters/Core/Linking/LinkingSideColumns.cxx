@@ -27,6 +27,7 @@ constexpr double LeastTriangles = 500.0; // ... triangles would be, but not coar
 /// Of the least sine of a corner: rings are levelled where that gains so much.
 constexpr double LevelGain = 1.25;
 constexpr Index LayersLookedAt = 16;
+constexpr double MostRise = 0.2; // of a ring, over its way
 
 double longestEdge(const SideTube& side, Index columns)
 {
@@ -357,7 +358,7 @@ Eigen::MatrixXd LinkingSideColumns::heights(
   return u;
 }
 
-/// Whether a ring rises somewhere by more than it advances.
+/// Whether a ring leaps up somewhere.
 bool LinkingSideColumns::isSteep(const Eigen::MatrixXd& u) const
 {
   const Index n = this->size();
@@ -365,7 +366,7 @@ bool LinkingSideColumns::isSteep(const Eigen::MatrixXd& u) const
   {
     const Index next = (j + 1) % n;
     const double step = (this->Ring.row(next) - this->Ring.row(j)).norm();
-    if ((u.row(next) - u.row(j)).cwiseAbs().maxCoeff() * this->meanLength() > step)
+    if ((u.row(next) - u.row(j)).cwiseAbs().maxCoeff() * this->meanLength() > MostRise * step)
     {
       return true;
     }

@@ -108,11 +108,20 @@ std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
       solid, topology, own, stages, progressPart(progress, 0.03, 1.0), made.hexes, made.boundary);
   };
   const bool isNamed = !named.sourceFaceIds.empty() || !named.targetFaceIds.empty();
-  if (isNamed && settings.tell)
+  if (isNamed)
   {
-    for (const std::string& text : forecastSweep(surface, choice.sweeps.front()))
+    const SweepForecast forecast = forecastSweep(surface, choice.sweeps.front());
+    if (!forecast.shoulder.empty() && own.hexes.ensureValid)
     {
-      settings.tell(messageAbout(solid.body, text));
+      // It would be fought for in vain, and long.
+      throw InvalidInput(forecast.shoulder + " Switch EnsureValid off to sweep it all the same.");
+    }
+    for (const std::string& text : { forecast.shoulder, forecast.tangentRims })
+    {
+      if (settings.tell && !text.empty())
+      {
+        settings.tell(messageAbout(solid.body, text));
+      }
     }
   }
   std::vector<std::string> warnings =

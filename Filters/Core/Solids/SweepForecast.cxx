@@ -89,9 +89,9 @@ std::string tangentText(const FaceGraph& graph, const CapCandidate& cap)
 }
 }
 
-std::vector<std::string> forecastSweep(const SolidSurface& solid, const SweepTopology& topology)
+SweepForecast forecastSweep(const SolidSurface& solid, const SweepTopology& topology)
 {
-  std::vector<std::string> texts;
+  SweepForecast forecast;
   const FaceGraph graph = makeFaceGraph(solid);
   const std::optional<CapCandidate> source =
     makeCapCandidate(graph, facesOf(graph, topology.sourceFaceIds));
@@ -99,16 +99,12 @@ std::vector<std::string> forecastSweep(const SolidSurface& solid, const SweepTop
     makeCapCandidate(graph, facesOf(graph, topology.targetFaceIds));
   if (!source || !target)
   {
-    return texts;
+    return forecast;
   }
-  for (const std::string& text : { shoulderText(graph, *source, *target),
-         tangentText(graph, *source), tangentText(graph, *target) })
-  {
-    if (!text.empty())
-    {
-      texts.push_back(text);
-    }
-  }
-  return texts;
+  forecast.shoulder = shoulderText(graph, *source, *target);
+  forecast.tangentRims = tangentText(graph, *source);
+  const std::string beyond = tangentText(graph, *target);
+  forecast.tangentRims += (forecast.tangentRims.empty() || beyond.empty() ? "" : " ") + beyond;
+  return forecast;
 }
 }

@@ -10,10 +10,16 @@
 #include "Core/Solids/SweepTopology.h"
 
 #include <string>
-#include <vector>
 
 namespace hexsweep
 {
+struct SweepForecast
+{
+  // What to tell the user, with ids of faces and what to do; empty where all is well.
+  std::string shoulder;
+  std::string tangentRims;
+};
+
 /**
  * Shoulders, faces of the sides that run across the sweep all round, where they are so wide that
  * layers cannot follow them (see SweepMeasure::hasWideShoulder()); and borders between cap and side
@@ -21,10 +27,8 @@ namespace hexsweep
  * corner.
  *
  * Costs O(n log n).
- *
- * @return what to tell the user, with ids of faces and what to do; empty where all is well.
  */
-std::vector<std::string> forecastSweep(const SolidSurface& solid, const SweepTopology& topology);
+SweepForecast forecastSweep(const SolidSurface& solid, const SweepTopology& topology);
 }
 
 #endif

@@ -65,7 +65,10 @@ TEST_P(FailureSolids, AreCertifiedBetweenTheirCaps)
   test::SolidSweep free(test::failureGrid(solid.name));
   free.filter->Update();
   expectCertified(free, GetParam().nothing);
-  EXPECT_EQ(capsOf(free.hexes()), (std::set<std::vector<vtkIdType>>{ solid.source, solid.target }));
+  // Random solids may have other caps that are as good.
+  const bool isRandom = std::string(solid.name).find("random") != std::string::npos;
+  EXPECT_TRUE(isRandom ||
+    capsOf(free.hexes()) == (std::set<std::vector<vtkIdType>>{ solid.source, solid.target }));
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, FailureSolids,
@@ -94,4 +97,31 @@ INSTANTIATE_TEST_SUITE_P(Data, FailureSolids,
     Failure{ { "target_ambiguous/c1", { 2 }, { 21 }, 20 }, 0.706, 0.706 },
     Failure{ { "target_ambiguous/f9", { 61, 62, 63 }, { 38 }, 11 }, 0.100, 0.100 },
     Failure{ { "target_ambiguous/g20", { 2, 6 }, { 4, 8 }, 2 }, 0.544, 0.544 }));
+
+// Small ones of Testing/RandomSolids, three a family.
+INSTANTIATE_TEST_SUITE_P(Random, FailureSolids,
+  testing::Values(Failure{ { "../random/a1", { 1001 }, { 1007 }, 0 }, 0.664, 0.672 },
+    Failure{ { "../random/a2", { 1001 }, { 1004 }, 0 }, 0.643, 0.643 },
+    Failure{ { "../random/b2", { 2 }, { 4 }, 0 }, 0.672, 0.672 },
+    Failure{ { "../random/b4", { 2 }, { 3 }, 0 }, 0.670, 0.670 },
+    Failure{ { "../random/b5", { 2 }, { 3 }, 0 }, 0.502, 0.502 },
+    Failure{ { "../random/c1", { 1002 }, { 1005 }, 0 }, 0.719, 0.690 },
+    Failure{ { "../random/c2", { 1001 }, { 1011 }, 0 }, 0.694, 0.642 },
+    Failure{ { "../random/d1", { 2 }, { 3 }, 0 }, 0.644, 0.643 },
+    Failure{ { "../random/d3", { 2 }, { 4 }, 0 }, 0.701, 0.631 },
+    Failure{ { "../random/d4", { 2 }, { 4 }, 0 }, 0.678, 0.685 },
+    Failure{ { "../random/e1", { 1001 }, { 1010 }, 0 }, 0.668, 0.626 },
+    Failure{ { "../random/e3", { 1001 }, { 1011 }, 0 }, 0.583, 0.583 },
+    Failure{ { "../random/f1", { 1009 }, { 1004 }, 0 }, 0.689, 0.689 },
+    Failure{ { "../random/f3", { 27 }, { 3 }, 0 }, 0.682, 0.742 },
+    Failure{ { "../random/f4", { 15 }, { 11, 14 }, 0 }, 0.521, 0.157 },
+    Failure{ { "../random/f6", { 4 }, { 5 }, 0 }, 0.117, 0.247 },
+    Failure{ { "../random/f7", { 1020, 1031 }, { 1016, 1023, 1028, 1032 }, 0 }, 0.411, 0.411 },
+    Failure{ { "../random/f9", { 1012, 1020 }, { 1013, 1021 }, 0 }, 0.599, 0.570 },
+    Failure{ { "../random/g1", { 1 }, { 6 }, 0 }, 0.668, 0.668 },
+    Failure{ { "../random/g2", { 1001 }, { 1010 }, 0 }, 0.673, 0.610 },
+    Failure{ { "../random/g4", { 1 }, { 7 }, 0 }, 0.442, 0.442 },
+    Failure{ { "../random/h1", { 1001 }, { 1107 }, 0 }, 0.635, 0.635 },
+    Failure{ { "../random/h2", { 1001 }, { 1079 }, 0 }, 0.639, 0.647 },
+    Failure{ { "../random/h3", { 1001 }, { 1043 }, 0 }, 0.636, 0.636 }));
 }

@@ -69,10 +69,21 @@ SolidInput turned(const std::vector<Station>& stations)
   return solid;
 }
 
+/// What is told, in order.
 std::vector<std::string> forecast(const SolidInput& input, Index target)
 {
   const SolidSurface solid = makeSolidSurface(input);
-  return forecastSweep(solid, findSweepTopology(solid, { 1 }, { target }));
+  const hexsweep::SweepForecast told =
+    forecastSweep(solid, findSweepTopology(solid, { 1 }, { target }));
+  std::vector<std::string> texts;
+  for (const std::string& text : { told.shoulder, told.tangentRims })
+  {
+    if (!text.empty())
+    {
+      texts.push_back(text);
+    }
+  }
+  return texts;
 }
 }
 

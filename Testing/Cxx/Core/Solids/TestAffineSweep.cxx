@@ -184,4 +184,29 @@ TEST(AffineSweep, OtherSweepsAreNone)
     return straight(x == 1.0 && y == 1.0 ? 1.0 + 0.1 * h : x, y, h);
   }));
 }
+
+TEST(AffineSweep, TheWallOfATubeIsCrossedTheShortestWay)
+{
+  // Through the wall from outside to inside: its ends are flat rings, on which lines lie however
+  // they turn.
+  for (const Index around : { 48, 60 })
+  {
+    constexpr double Radius = 20.0;
+    constexpr double Wall = 0.6;
+    const Place place = [](double x, double y, double h) -> Eigen::RowVector3d {
+      const double r = std::hypot(x, y);
+      const double radius = Radius - Wall * h;
+      return { radius * x / r, radius * y / r, 20.0 * (r - 1.0) };
+    };
+    const std::vector<Section> sections{ circleSection(0, 0, 2, around, 0.1),
+      holeSection(0, 0, 1, around) };
+    const std::optional<AffineSweep> sweep = sweepOf(sweptSolid(sections, place));
+    ASSERT_TRUE(sweep);
+    for (const Eigen::RowVector2d& node : sections[0])
+    {
+      const Eigen::RowVector3d p = place(node.x(), node.y(), 0.0);
+      EXPECT_LT((sweep->map.apply(p) - p).norm(), 1.01 * Wall);
+    }
+  }
+}
 }

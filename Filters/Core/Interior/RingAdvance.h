@@ -18,8 +18,8 @@ namespace hexsweep
  * rim to the bottom inside, which a sweep can follow by topology alone, it is the depth inside over
  * the height.
  *
- * Where the centre hardly moves, rings go outward or inward, as from the outside of a tube's wall to
- * its inside: there is no way back, and the share is 0.
+ * Where the centre hardly moves, rings go outward or inward, as from the outside of a tube's wall
+ * to its inside: there is no way back, and the share is 0.
  *
  * @return in [0, 1].
  */

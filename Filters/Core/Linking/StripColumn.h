@@ -14,7 +14,7 @@ namespace hexsweep
 struct StripColumn
 {
   std::vector<Index> points; ///< from source to target
-  std::vector<double> u; ///< of each point: its height in the strip, rising from 0 to 1
+  std::vector<double> u;     ///< of each point: its height in the strip, rising from 0 to 1
   double v = 0.0;
 };
 }

@@ -104,7 +104,7 @@ ImprovedQuads polishQuads(
   {
     const double floor = best.quality.minimum;
     const Curve curve = [=](double sj) { return softMinimum(sj, floor, k); };
-    Points candidate = descend(curve, [&](Index) { return curve; });
+    Points candidate = descend(curve, [&](Index) { return Curve(curve); });
     const CornerQuality quality = cap.measure(candidate);
     if (quality.betterThan(best.quality))
     {

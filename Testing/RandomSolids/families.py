@@ -49,6 +49,18 @@ def volume_of(geo, expression):
     return f"{name}()"
 
 
+def combined(geo, how, first, second):
+    """Difference, Union, Intersection or Fragments of two volumes, which are used up."""
+    return volume_of(geo, f"Boolean{how}{{ Volume{{{first}}}; Delete; }}{{ Volume{{{second}}}; Delete; }}")
+
+
+def imprinted(geo, volume, other):
+    """A volume with borders on its surface where it enters another one, which is used up."""
+    part = geo.name("i")
+    geo.add(f"{part}() = BooleanIntersection{{ Volume{{{volume}}}; }}{{ Volume{{{other}}}; Delete; }};")
+    return combined(geo, "Fragments", volume, f"{part}()")
+
+
 def box(geo, x, y, z, dx, dy, dz, turn=0.0, tilt=0.0):
     """A box, turned about the z axis and tilted about the x axis, both through the origin."""
     name = geo.name("b")
@@ -65,7 +77,7 @@ def profile(geo, r, size, most_holes):
     return geo.plane([loop] + holes(geo, r, inner, most_holes)), inner, kind
 
 
-def keep(geo, volume, only=None):
+def keep(geo, volume):
     """Says which volume is the solid: of several that share faces, the outer surface."""
     geo.add(f"solid() = {volume};")
 
@@ -115,7 +127,7 @@ def loft(geo, r):
         c = geo.name("c")
         radius = size * r.uniform(0.06, 0.13)
         geo.add(f"{c} = newv; Cylinder({c}) = {{0, 0, {-height!r}, 0, 0, {3 * height!r}, {radius!r}}};")
-        v = volume_of(geo, f"BooleanDifference{{ Volume{{{v}}}; Delete; }}{{ Volume{{{c}}}; Delete; }}")
+        v = combined(geo, "Difference", v, c)
         tags.append("hole")
     keep(geo, v)
     return Solid(on_plane((0, 0, 0), (0, 0, 1)), on_plane((0, 0, height), (0, 0, 1)), "loft", size, tags)
@@ -174,7 +186,7 @@ def cut_caps(geo, r):
         geo.add(f"Translate {{0, 0, {drop!r}}} {{ Volume{{{name}}}; }}")
         normal = (math.sin(turn) * math.sin(tilt), -math.cos(turn) * math.sin(tilt), math.cos(tilt))
         target = on_plane((0, 0, drop), normal)
-        v = volume_of(geo, f"BooleanDifference{{ Volume{{{v}}}; Delete; }}{{ Volume{{{name}}}; Delete; }}")
+        v = combined(geo, "Difference", v, name)
         if how == "planes":
             tilt = -min(tilt, math.atan(0.5 * drop / size))
             name = box(geo, -big / 2, -big / 2, -big, big, big, big, turn + 1.0, tilt)
@@ -183,16 +195,16 @@ def cut_caps(geo, r):
             turn += 1.0
             normal = (math.sin(turn) * math.sin(tilt), -math.cos(turn) * math.sin(tilt), math.cos(tilt))
             source = on_plane((0, 0, rise), normal)
-            v = volume_of(geo, f"BooleanDifference{{ Volume{{{v}}}; Delete; }}{{ Volume{{{name}}}; Delete; }}")
+            v = combined(geo, "Difference", v, name)
     elif how == "sphere":
         radius = size * r.uniform(0.8, 2.0)
-        centre = height * r.uniform(0.95, 1.05) - (0.0 if r.random() < 0.5 else radius) - 0.0
+        centre = height * r.uniform(0.95, 1.05) - (0.0 if r.random() < 0.5 else radius)
         hollow = centre > 0.5 * height
         centre = height + radius * 0.75 if hollow else height - radius
         name = geo.name("s")
         geo.add(f"{name} = newv; Sphere({name}) = {{0, 0, {centre!r}, {radius!r}}};")
         if hollow:
-            v = volume_of(geo, f"BooleanDifference{{ Volume{{{v}}}; Delete; }}{{ Volume{{{name}}}; Delete; }}")
+            v = combined(geo, "Difference", v, name)
             # The bowl must reach the sides, or the cap is no cap.
             if radius * radius - (0.75 * radius) ** 2 < (0.55 * size) ** 2:
                 return None
@@ -201,8 +213,8 @@ def cut_caps(geo, r):
                 return None
             cut = geo.name("s")
             geo.add(f"{cut} = newv; Cylinder({cut}) = {{0, 0, {-height!r}, 0, 0, {height + centre!r}, {2 * size!r}}};")
-            joined = volume_of(geo, f"BooleanUnion{{ Volume{{{name}}}; Delete; }}{{ Volume{{{cut}}}; Delete; }}")
-            v = volume_of(geo, f"BooleanIntersection{{ Volume{{{v}}}; Delete; }}{{ Volume{{{joined}}}; Delete; }}")
+            joined = combined(geo, "Union", name, cut)
+            v = combined(geo, "Intersection", v, joined)
         target = lambda p: np.abs(np.linalg.norm(p - np.array([0, 0, centre]), axis=1) - radius) < 1e-5
     else:
         radius = size * r.uniform(0.8, 2.0)
@@ -214,7 +226,7 @@ def cut_caps(geo, r):
             return None
         geo.add(f"{name} = newv; Cylinder({name}) = {{{float(start[0])!r}, {float(start[1])!r}, {float(start[2])!r}, "
                 f"{float(10 * size * axis[0])!r}, {float(10 * size * axis[1])!r}, 0, {radius!r}}};")
-        v = volume_of(geo, f"BooleanDifference{{ Volume{{{v}}}; Delete; }}{{ Volume{{{name}}}; Delete; }}")
+        v = combined(geo, "Difference", v, name)
 
         def target(p):
             d = p - start
@@ -258,14 +270,12 @@ def side_features(geo, r):
         if feature == "groove":
             deep, wide = inner * r.uniform(0.04, 0.1), height * r.uniform(0.1, 0.2)
             name = box(geo, inner - deep + (0 if kind in ("circle", "rounded", "rectangle") else deep), -big, height * 0.4, big, 2 * big, wide, turn)
-            v = volume_of(geo, f"BooleanDifference{{ Volume{{{v}}}; Delete; }}{{ Volume{{{name}}}; Delete; }}")
+            v = combined(geo, "Difference", v, name)
         elif feature == "rib":
             deep, wide = inner * r.uniform(0.04, 0.1), height * r.uniform(0.1, 0.2)
             long = inner * r.uniform(0.3, 0.6)
             name = box(geo, 0.3 * inner, -long / 2, height * 0.4, 0.0 + size / 2 - 0.3 * inner + deep, long, wide, turn)
-            v = volume_of(geo, f"BooleanUnion{{ Volume{{{v}}}; Delete; }}{{ Volume{{{name}}}; Delete; }}")
-            if kind in ("ellipse", "rounded", "rectangle") or "letter" in tags:
-                pass
+            v = combined(geo, "Union", v, name)
     for feature in sorted(features):
         pieces = []
         if feature == "tilted":
@@ -279,15 +289,11 @@ def side_features(geo, r):
         elif feature == "capbox":
             w = inner * r.uniform(0.5, 1.0)
             name = box(geo, 0.25 * inner, -w / 2, height * 0.7, size, w, height, r.uniform(0, 6))
-            part = geo.name("i")
-            geo.add(f"{part}() = BooleanIntersection{{ Volume{{{v}}}; }}{{ Volume{{{name}}}; Delete; }};")
-            v = volume_of(geo, f"BooleanFragments{{ Volume{{{v}}}; Delete; }}{{ Volume{{{part}()}}; Delete; }}")
+            v = imprinted(geo, v, name)
         for _, tilt, spin, z in pieces:
             name = box(geo, -big, -big, 0.0, 2 * big, 2 * big, 2 * big, spin, tilt)
             geo.add(f"Translate {{0, 0, {z!r}}} {{ Volume{{{name}}}; }}")
-            part = geo.name("i")
-            geo.add(f"{part}() = BooleanIntersection{{ Volume{{{v}}}; }}{{ Volume{{{name}}}; Delete; }};")
-            v = volume_of(geo, f"BooleanFragments{{ Volume{{{v}}}; Delete; }}{{ Volume{{{part}()}}; Delete; }}")
+            v = imprinted(geo, v, name)
     keep(geo, v)
     return Solid(on_plane((0, 0, 0), (0, 0, 1)), on_plane((0, 0, height), (0, 0, 1)), "side features", size,
                  tags + sorted(features))
@@ -326,7 +332,7 @@ def thin_wall(geo, r):
         sweep = "" if angle > 6.28 else f", {angle!r}"
         geo.add(f"{name} = newv; Cylinder({name}) = {{0, 0, 0, 0, 0, {height!r}, {rho!r}{sweep}}};")
         shell.append(name)
-    v = volume_of(geo, f"BooleanDifference{{ Volume{{{shell[0]}}}; Delete; }}{{ Volume{{{shell[1]}}}; Delete; }}")
+    v = combined(geo, "Difference", shell[0], shell[1])
     count = r.randint(0, 3)
     for k in range(count):
         name = geo.name("c")
@@ -336,7 +342,7 @@ def thin_wall(geo, r):
         hole = min(height, radius * min(angle, 2.0)) * r.uniform(0.1, 0.25)
         geo.add(f"{name} = newv; Cylinder({name}) = {{0, 0, {height / 2!r}, {2 * size * math.cos(around)!r}, "
                 f"{2 * size * math.sin(around)!r}, 0, {hole!r}}};")
-        v = volume_of(geo, f"BooleanDifference{{ Volume{{{v}}}; Delete; }}{{ Volume{{{name}}}; Delete; }}")
+        v = combined(geo, "Difference", v, name)
     keep(geo, v)
     return Solid(on_cylinder(radius), on_cylinder(radius - wall), "thin wall", size,
                  ["cylinder", f"{ratio:.0f}", f"{count} holes", f"{math.degrees(angle):.0f} degrees"])

@@ -2,12 +2,12 @@
 #include "Core/CapQuads/CornerFans.h"
 
 #include "Core/CapQuads/RemeshingMesh.h"
+#include "Core/Surfaces/HalfEdgeTriangles.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace hexsweep
 {
@@ -16,21 +16,20 @@ namespace
 /// See triangleShape(): flatter triangles are no improvement.
 constexpr double LeastShape = 0.1;
 
-/// A triangle at a node: the other corners follow the node the way the triangle is oriented.
+/// A triangle at a node, by its half-edge across from it.
 struct FanTriangle
 {
-  Index row;
-  Index first;
-  Index second;
+  Index half;
   double angle; ///< at the node
 };
 
 class Fan
 {
 public:
-  Fan(TriangleMesh& mesh, Index node, const std::vector<std::pair<Index, Index>>& kept,
-    const SurfaceSearch& surface)
+  Fan(TriangleMesh& mesh, HalfEdgeTriangles& connectivity, Index node,
+    const std::vector<std::pair<Index, Index>>& kept, const SurfaceSearch& surface)
     : Mesh(mesh)
+    , Connectivity(connectivity)
     , Node(node)
     , Kept(kept)
     , Surface(surface)
@@ -43,17 +42,21 @@ public:
   /// One triangle more.
   void open()
   {
-    const FanTriangle widest = *std::max_element(this->Fans.begin(), this->Fans.end(),
-      [](const FanTriangle& a, const FanTriangle& b) { return a.angle < b.angle; });
-    const std::pair<Index, Index> edge = std::minmax(widest.first, widest.second);
-    const std::optional<Index> beyond = this->neighbor(widest);
-    if (!beyond || std::binary_search(this->Kept.begin(), this->Kept.end(), edge))
+    const Index half = std::max_element(
+      this->Fans.begin(), this->Fans.end(), [](const FanTriangle& a, const FanTriangle& b) {
+        return a.angle < b.angle;
+      })->half;
+    const std::pair<Index, Index> edge =
+      std::minmax({ this->Connectivity.from(half), this->Connectivity.to(half) });
+    if (this->Connectivity.twin(half) < 0 ||
+      std::binary_search(this->Kept.begin(), this->Kept.end(), edge))
     {
-      this->cutAtCentroid(widest);
+      this->cutAtCentroid(half);
     }
-    else if (!this->flip(widest, *beyond))
+    else if (!this->flip(half))
     {
-      this->halve(widest, *beyond);
+      this->Connectivity.splitEdge(
+        half, this->appendPoint(0.5 * (this->point(edge.first) + this->point(edge.second))));
     }
     this->collect();
   }
@@ -78,7 +81,7 @@ public:
       {
         reached += this->Fans[++next].angle;
       }
-      edges.emplace_back(std::minmax(this->Node, this->Fans[next].second));
+      edges.emplace_back(std::minmax({ this->Node, this->Connectivity.to(this->Fans[next].half) }));
       reached += this->Fans[++next].angle;
     }
   }
@@ -89,68 +92,27 @@ private:
   /// The triangles round the node in their order, from the boundary on.
   void collect()
   {
-    std::vector<FanTriangle> found;
-    for (Index t = 0; t < this->Mesh.triangles.rows(); ++t)
-    {
-      for (Index c = 0; c < 3; ++c)
-      {
-        if (this->Mesh.triangles(t, c) != this->Node)
-        {
-          continue;
-        }
-        const Index a = this->Mesh.triangles(t, (c + 1) % 3);
-        const Index b = this->Mesh.triangles(t, (c + 2) % 3);
-        const Eigen::RowVector3d u = this->point(a) - this->point(this->Node);
-        const Eigen::RowVector3d v = this->point(b) - this->point(this->Node);
-        found.push_back({ t, a, b, std::atan2(u.cross(v).norm(), u.dot(v)) });
-      }
-    }
     this->Fans.clear();
-    const auto takeFrom = [&](const auto& isNext) {
-      const auto next = std::find_if(found.begin(), found.end(), isNext);
-      if (next == found.end())
-      {
-        return false;
-      }
-      this->Fans.push_back(*next);
-      found.erase(next);
-      return true;
-    };
-    takeFrom([&](const FanTriangle& first) {
-      return std::none_of(found.begin(), found.end(),
-        [&](const FanTriangle& other) { return other.second == first.first; });
-    });
-    while (!this->Fans.empty() &&
-      takeFrom([&](const FanTriangle& next) { return next.first == this->Fans.back().second; }))
+    Index spoke = 0;
+    while (spoke < this->Connectivity.numberOfHalfEdges() &&
+      (this->Connectivity.from(spoke) != this->Node || this->Connectivity.twin(spoke) >= 0))
     {
+      ++spoke;
     }
-  }
-
-  std::optional<Index> neighbor(const FanTriangle& triangle) const
-  {
-    for (Index t = 0; t < this->Mesh.triangles.rows(); ++t)
+    if (spoke == this->Connectivity.numberOfHalfEdges())
     {
-      for (Index c = 0; c < 3; ++c)
-      {
-        if (this->Mesh.triangles(t, c) == triangle.second &&
-          this->Mesh.triangles(t, (c + 1) % 3) == triangle.first)
-        {
-          return t;
-        }
-      }
+      return;
     }
-    return std::nullopt;
-  }
-
-  Index apex(const FanTriangle& triangle, Index beyond) const
-  {
-    Index c = 0;
-    while (this->Mesh.triangles(beyond, c) == triangle.first ||
-      this->Mesh.triangles(beyond, c) == triangle.second)
+    while (spoke >= 0)
     {
-      ++c;
+      const Index half = HalfEdgeTriangles::next(spoke);
+      const Eigen::RowVector3d u =
+        this->point(this->Connectivity.from(half)) - this->point(this->Node);
+      const Eigen::RowVector3d v =
+        this->point(this->Connectivity.to(half)) - this->point(this->Node);
+      this->Fans.push_back({ half, std::atan2(u.cross(v).norm(), u.dot(v)) });
+      spoke = this->Connectivity.twin(HalfEdgeTriangles::previous(spoke));
     }
-    return this->Mesh.triangles(beyond, c);
   }
 
   double shape(Index a, Index b, Index c) const
@@ -158,15 +120,6 @@ private:
     const Eigen::RowVector3d middle = (this->point(a) + this->point(b) + this->point(c)) / 3.0;
     return triangleShape(
       this->point(a), this->point(b), this->point(c), this->Surface.project(middle).normals.row(0));
-  }
-
-  void set(Index row, Index a, Index b, Index c) { this->Mesh.triangles.row(row) << a, b, c; }
-
-  void append(Index a, Index b, Index c)
-  {
-    const Index row = this->Mesh.triangles.rows();
-    this->Mesh.triangles.conservativeResize(row + 1, 3);
-    this->set(row, a, b, c);
   }
 
   Index appendPoint(const Eigen::RowVector3d& place)
@@ -177,40 +130,29 @@ private:
     return id;
   }
 
-  bool flip(const FanTriangle& triangle, Index beyond)
+  bool flip(Index half)
   {
-    const Index far = this->apex(triangle, beyond);
-    if (this->shape(this->Node, triangle.first, far) < LeastShape ||
-      this->shape(this->Node, far, triangle.second) < LeastShape)
+    const Index far = this->Connectivity.apex(this->Connectivity.twin(half));
+    if (this->shape(this->Node, this->Connectivity.from(half), far) < LeastShape ||
+      this->shape(this->Node, far, this->Connectivity.to(half)) < LeastShape)
     {
       return false;
     }
-    this->set(triangle.row, this->Node, triangle.first, far);
-    this->set(beyond, this->Node, far, triangle.second);
+    this->Connectivity.flip(half);
     return true;
   }
 
-  void halve(const FanTriangle& triangle, Index beyond)
+  void cutAtCentroid(Index half)
   {
-    const Index far = this->apex(triangle, beyond);
     const Index middle =
-      this->appendPoint(0.5 * (this->point(triangle.first) + this->point(triangle.second)));
-    this->set(triangle.row, this->Node, triangle.first, middle);
-    this->append(this->Node, middle, triangle.second);
-    this->set(beyond, far, middle, triangle.first);
-    this->append(far, triangle.second, middle);
-  }
-
-  void cutAtCentroid(const FanTriangle& triangle)
-  {
-    const Index middle = this->appendPoint(
-      (this->point(this->Node) + this->point(triangle.first) + this->point(triangle.second)) / 3.0);
-    this->set(triangle.row, this->Node, triangle.first, middle);
-    this->append(this->Node, middle, triangle.second);
-    this->append(triangle.first, triangle.second, middle);
+      this->appendPoint((this->point(this->Node) + this->point(this->Connectivity.from(half)) +
+                          this->point(this->Connectivity.to(half))) /
+        3.0);
+    this->Connectivity.splitTriangle(half / 3, middle);
   }
 
   TriangleMesh& Mesh;
+  HalfEdgeTriangles& Connectivity;
   Index Node;
   const std::vector<std::pair<Index, Index>>& Kept;
   const SurfaceSearch& Surface;
@@ -222,9 +164,14 @@ std::vector<std::pair<Index, Index>> openCornerFans(TriangleMesh& mesh,
   const std::vector<CornerFan>& fans, const std::vector<std::pair<Index, Index>>& kept,
   const SurfaceSearch& surface)
 {
+  std::vector<std::pair<Index, Index>> parted;
+  if (fans.empty())
+  {
+    return parted;
+  }
   std::vector<std::pair<Index, Index>> sorted = kept;
   std::sort(sorted.begin(), sorted.end());
-  std::vector<std::pair<Index, Index>> parted;
+  HalfEdgeTriangles connectivity(mesh.triangles);
   for (const CornerFan& wanted : fans)
   {
     Index node = 0;
@@ -236,16 +183,18 @@ std::vector<std::pair<Index, Index>> openCornerFans(TriangleMesh& mesh,
     {
       continue;
     }
-    Fan fan(mesh, node, sorted, surface);
+    Fan fan(mesh, connectivity, node, sorted, surface);
     while (fan.size() > 0 && fan.size() < static_cast<std::size_t>(wanted.faces))
     {
       fan.open();
     }
+    const std::size_t before = parted.size();
     fan.part(wanted.faces, parted);
     // What one fan is parted by, another must not flip away.
-    sorted.insert(sorted.end(), parted.begin(), parted.end());
+    sorted.insert(sorted.end(), parted.begin() + static_cast<std::ptrdiff_t>(before), parted.end());
     std::sort(sorted.begin(), sorted.end());
   }
+  mesh.triangles = connectivity.triangles();
   return parted;
 }
 }

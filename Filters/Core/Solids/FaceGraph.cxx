@@ -173,6 +173,19 @@ FaceGraph makeFaceGraph(const SolidSurface& solid)
   return graph;
 }
 
+std::vector<std::size_t> facesWithIds(const FaceGraph& graph, const std::vector<Index>& ids)
+{
+  std::vector<std::size_t> faces;
+  for (std::size_t face = 0; face < graph.patches.ids.size(); ++face)
+  {
+    if (std::find(ids.begin(), ids.end(), graph.patches.ids[face]) != ids.end())
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
 std::vector<Index> stepsFrom(const FaceGraph& graph, const std::vector<std::size_t>& start)
 {
   std::vector<Index> steps(graph.faces.size(), -1);

@@ -61,6 +61,9 @@ struct FaceGraph
 /// Costs O(n log n). @param solid must outlive the graph.
 FaceGraph makeFaceGraph(const SolidSurface& solid);
 
+/// Numbers of the faces with these ids, rising; ids that no face has do not matter.
+std::vector<std::size_t> facesWithIds(const FaceGraph& graph, const std::vector<Index>& ids);
+
 /**
  * Steps from some faces to each face over common borders; the start has 0.
  *

@@ -130,21 +130,13 @@ private:
 
   std::size_t sourceOf(const std::vector<Index>& ids)
   {
-    FaceSet faces;
-    for (const Index id : checkedFaceIds(this->Graph.solid, ids, "source"))
-    {
-      const std::vector<Index>& all = this->Graph.patches.ids;
-      faces.push_back(
-        static_cast<std::size_t>(std::find(all.begin(), all.end(), id) - all.begin()));
-    }
-    std::sort(faces.begin(), faces.end());
-    const Index cap = this->capOf(faces);
+    const std::vector<Index> checked = checkedFaceIds(this->Graph.solid, ids, "source");
+    const Index cap = this->capOf(facesWithIds(this->Graph, checked));
     if (cap < 0)
     {
       // Says what is wrong with it.
-      makeSweepCap(this->Graph.solid, this->Graph.halfEdges,
-        checkedFaceIds(this->Graph.solid, ids, "source"), trianglesOfFaces(this->Graph.solid, ids),
-        "source cap");
+      makeSweepCap(this->Graph.solid, this->Graph.halfEdges, checked,
+        trianglesOfFaces(this->Graph.solid, ids), "source cap");
     }
     return static_cast<std::size_t>(cap);
   }

@@ -6,7 +6,6 @@
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Solids/SweepMeasure.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -18,19 +17,6 @@ namespace
 constexpr double TangentTurn = Pi / 12.0;
 /// Of the rim of a cap: less of it does not matter.
 constexpr double NotableShare = 0.02;
-
-FaceSet facesOf(const FaceGraph& graph, const std::vector<Index>& faceIds)
-{
-  FaceSet faces;
-  for (std::size_t face = 0; face < graph.patches.ids.size(); ++face)
-  {
-    if (std::find(faceIds.begin(), faceIds.end(), graph.patches.ids[face]) != faceIds.end())
-    {
-      faces.push_back(face);
-    }
-  }
-  return faces;
-}
 
 std::string shoulderText(
   const FaceGraph& graph, const CapCandidate& source, const CapCandidate& target)
@@ -94,9 +80,9 @@ SweepForecast forecastSweep(const SolidSurface& solid, const SweepTopology& topo
   SweepForecast forecast;
   const FaceGraph graph = makeFaceGraph(solid);
   const std::optional<CapCandidate> source =
-    makeCapCandidate(graph, facesOf(graph, topology.sourceFaceIds));
+    makeCapCandidate(graph, facesWithIds(graph, topology.sourceFaceIds));
   const std::optional<CapCandidate> target =
-    makeCapCandidate(graph, facesOf(graph, topology.targetFaceIds));
+    makeCapCandidate(graph, facesWithIds(graph, topology.targetFaceIds));
   if (!source || !target)
   {
     return forecast;

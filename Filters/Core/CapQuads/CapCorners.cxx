@@ -26,17 +26,17 @@ CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
   : CapQuads(quads)
   , Surface(surface)
 {
-  const SurfacePlaces places = this->Surface.project(start);
+  const Points normals = this->Surface.normals(start);
   double area = 0.0;
   for (Index q = 0; q < quads.rows(); ++q)
   {
     const Eigen::RowVector3d first = start.row(quads(q, 2)) - start.row(quads(q, 0));
     const Eigen::RowVector3d second = start.row(quads(q, 3)) - start.row(quads(q, 1));
-    area += first.cross(second).dot(places.normals.row(quads(q, 0)));
+    area += first.cross(second).dot(normals.row(quads(q, 0)));
   }
   this->Side = area < 0.0 ? -1.0 : 1.0;
 
-  const std::vector<Index> columnOfNode = this->setColumns(columns, places.normals);
+  const std::vector<Index> columnOfNode = this->setColumns(columns, normals);
 
   const auto isFixed = [&](Index node) { return fixed[static_cast<std::size_t>(node)]; };
   std::vector<bool> used(fixed.size(), false);
@@ -103,17 +103,28 @@ SurfacePlaces CapCorners::place(const PointsRef& points) const
   return places;
 }
 
+Points CapCorners::normals(const PointsRef& points) const
+{
+  return this->Side * this->Surface.normals(points);
+}
+
+SurfacePlace CapCorners::place(const Eigen::RowVector3d& point, Index start) const
+{
+  SurfacePlace place = this->Surface.project(point, start);
+  place.normal *= this->Side;
+  return place;
+}
+
 CornerQuality CapCorners::measure(const PointsRef& points) const
 {
-  const SurfacePlaces places = this->place(points);
+  const Points normals = this->normals(points);
   Eigen::VectorXd least = Eigen::VectorXd::Ones(this->CapQuads.rows());
   CornerQuality quality;
   for (const QuadCorner& corner : this->Corners)
   {
     const double jacobian =
       cornerScaledJacobian(points.row(corner.node[1]) - points.row(corner.node[0]),
-        points.row(corner.node[2]) - points.row(corner.node[0]),
-        this->normal(corner, places.normals));
+        points.row(corner.node[2]) - points.row(corner.node[0]), this->normal(corner, normals));
     (corner.movable ? quality.inverted : quality.fixedInverted) += jacobian > 0.0 ? 0 : 1;
     const double value = std::isnan(jacobian) ? -1.0 : jacobian;
     if (corner.movable)

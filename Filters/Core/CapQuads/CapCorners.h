@@ -74,8 +74,12 @@ public:
   const std::vector<Index>& freeNodes() const { return this->FreeNodes; }
   const Quads& quads() const { return this->CapQuads; }
 
-  /// Upward unit normals of the surface at the points nearest to these.
+  /// The points of the surface nearest to these, and its upward unit normals there.
   SurfacePlaces place(const PointsRef& points) const;
+  /// The same of one point. @param start a triangle near it if one is known, or -1.
+  SurfacePlace place(const Eigen::RowVector3d& point, Index start) const;
+  /// The normals alone.
+  Points normals(const PointsRef& points) const;
 
   /// The normal that a corner is measured against.
   Eigen::RowVector3d normal(const QuadCorner& corner, const PointsRef& normals) const
@@ -89,6 +93,8 @@ public:
 
   /// Sine of the angle between a column and the surface where it stands, in [0, 1].
   double columnHeight(Index column) const { return this->ColumnHeights[column]; }
+
+  Index numberOfColumns() const { return this->ColumnHeights.size(); }
 
   CornerQuality measure(const PointsRef& points) const;
 

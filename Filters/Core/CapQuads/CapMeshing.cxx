@@ -202,7 +202,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
     openCornerFans(remeshed.mesh, options.fans, keptEdges, surface);
   keptEdges.insert(keptEdges.end(), parted.begin(), parted.end());
   const PairedTriangles paired =
-    pairTriangles(remeshed.mesh, surface.project(remeshed.mesh.points).normals, keptEdges);
+    pairTriangles(remeshed.mesh, surface.normals(remeshed.mesh.points), keptEdges);
   SubdividedFaces subdivided =
     subdivideAtMidpoints(remeshed.mesh.points, paired.quads, paired.triangles);
 
@@ -236,11 +236,11 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   }
   result.mesh.points = std::move(points);
   result.mesh.points = untangledLocally(cap, result.mesh, fixed,
-    surface.project(result.mesh.points).normals, progressPart(progress, 0.5, 0.75));
+    surface.normals(result.mesh.points), progressPart(progress, 0.5, 0.75));
   const CapCorners corners(result.mesh.quads, fixed, cap, {}, result.mesh.points);
-  result.mesh.points =
-    polishQuads(corners, result.mesh.points, result.mesh.points, progressPart(progress, 0.75, 1.0))
-      .points;
+  result.mesh.points = polishQuads(
+    corners, result.mesh.points, result.mesh.points, {}, progressPart(progress, 0.75, 1.0))
+                         .points;
 
   const TriangleSearch search(cap.points, cap.triangles);
   Index last = -1;
@@ -255,7 +255,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
     result.quadOrigin.push_back(last);
   }
   const QuadQuality quality =
-    quadQuality(result.mesh.points, result.mesh.quads, surface.project(result.mesh.points).normals);
+    quadQuality(result.mesh.points, result.mesh.quads, surface.normals(result.mesh.points));
   result.inverted = quality.inverted;
   result.minimumScaledJacobian = quality.minimum;
   result.meanScaledJacobian = quality.mean;

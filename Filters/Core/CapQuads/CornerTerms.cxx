@@ -48,7 +48,7 @@ Eigen::Matrix2d referenceCorner(
 std::vector<Eigen::Matrix2d> inverseReferences(
   const CapCorners& cap, ReferenceShape shape, const PointsRef& source, const PointsRef& points)
 {
-  const Points normals = cap.place(points).normals;
+  const Points normals = cap.normals(points);
   std::vector<Eigen::Matrix2d> inverse;
   double referenceArea = 0.0;
   double area = 0.0;

@@ -282,7 +282,7 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
     const CapCorners corners(input.source.quads, still, target, boundary.columns,
       result.quads.points, LeaningColumns::WhereUpright);
     ImprovedQuads polished = polishQuads(
-      corners, result.quads.points, input.source.points, progressPart(progress, 0.5, 1.0));
+      corners, result.quads.points, input.source.points, {}, progressPart(progress, 0.5, 1.0));
     result.quads.points = std::move(polished.points);
     result.rounds += polished.rounds;
   }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <limits>
 
 namespace hexsweep
 {
@@ -36,13 +37,61 @@ Points vertexNormals(const TriangleMesh& surface)
   }
   return normals;
 }
+
+/// The normal of a plane that all triangles lie in, to rounding, and look the same way from.
+std::optional<Eigen::RowVector3d> planeNormal(const TriangleMesh& surface)
+{
+  constexpr double Rounding = 64.0 * std::numeric_limits<double>::epsilon();
+  const auto areaVector = [&](Index t) -> Eigen::RowVector3d {
+    const Eigen::RowVector3d a = surface.points.row(surface.triangles(t, 0));
+    const Eigen::RowVector3d b = surface.points.row(surface.triangles(t, 1)) - a;
+    return b.cross(surface.points.row(surface.triangles(t, 2)) - a);
+  };
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (Index t = 0; t < surface.triangles.rows(); ++t)
+  {
+    sum += areaVector(t);
+  }
+  const Eigen::RowVector3d normal = sum.normalized();
+  if (!(sum.norm() > 0.0) || !normal.allFinite())
+  {
+    return std::nullopt;
+  }
+  const double slack = Rounding * surface.points.cwiseAbs().maxCoeff();
+  const double height = normal.dot(surface.points.row(surface.triangles(0, 0)));
+  for (Index t = 0; t < surface.triangles.rows(); ++t)
+  {
+    for (Index c = 0; c < 3; ++c)
+    {
+      if (!(std::abs(normal.dot(surface.points.row(surface.triangles(t, c))) - height) <= slack))
+      {
+        return std::nullopt;
+      }
+    }
+    if (!(areaVector(t).dot(normal) > 0.0))
+    {
+      return std::nullopt;
+    }
+  }
+  return normal;
+}
 }
 
 SurfaceSearch::SurfaceSearch(const TriangleMesh& surface)
   : Surface(surface)
   , VertexNormals(vertexNormals(surface))
   , Search(surface.points, surface.triangles)
+  , PlaneNormal(planeNormal(surface))
 {
+}
+
+Points SurfaceSearch::normals(const PointsRef& points) const
+{
+  if (this->PlaneNormal)
+  {
+    return this->PlaneNormal->replicate(points.rows(), 1);
+  }
+  return this->project(points).normals;
 }
 
 SurfacePlaces SurfaceSearch::project(const PointsRef& points) const
@@ -51,19 +100,25 @@ SurfacePlaces SurfaceSearch::project(const PointsRef& points) const
   Index last = -1;
   for (Index i = 0; i < points.rows(); ++i)
   {
-    const TrianglePoint place = this->Search.closest(points.row(i), last);
+    const SurfacePlace place = this->project(points.row(i), last);
     last = place.triangle;
-    Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
-    Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
-    for (Index c = 0; c < 3; ++c)
-    {
-      const Index v = this->Surface.triangles(place.triangle, c);
-      point += place.coordinates[c] * this->Surface.points.row(v);
-      normal += place.coordinates[c] * this->VertexNormals.row(v);
-    }
-    places.points.row(i) = point;
-    places.normals.row(i) = normal.normalized();
+    places.points.row(i) = place.point;
+    places.normals.row(i) = place.normal;
   }
   return places;
+}
+
+SurfacePlace SurfaceSearch::project(const Eigen::RowVector3d& asked, Index start) const
+{
+  const TrianglePoint place = this->Search.closest(asked, start);
+  Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
+  Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
+  for (Index c = 0; c < 3; ++c)
+  {
+    const Index v = this->Surface.triangles(place.triangle, c);
+    point += place.coordinates[c] * this->Surface.points.row(v);
+    normal += place.coordinates[c] * this->VertexNormals.row(v);
+  }
+  return { point, normal.normalized(), place.triangle };
 }
 }

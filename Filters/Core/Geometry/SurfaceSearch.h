@@ -8,6 +8,8 @@
 
 #include "Core/Geometry/TriangleSearch.h"
 
+#include <optional>
+
 namespace hexsweep
 {
 /// Rows belong to the points that were asked for.
@@ -17,16 +19,31 @@ struct SurfacePlaces
   Points normals; ///< unit normals there, interpolated from angle-weighted ones at the vertices
 };
 
+/// The same of one point.
+struct SurfacePlace
+{
+  Eigen::RowVector3d point;
+  Eigen::RowVector3d normal;
+  Index triangle;
+};
+
 class SurfaceSearch
 {
 public:
   explicit SurfaceSearch(const TriangleMesh& surface);
   SurfacePlaces project(const PointsRef& points) const;
 
+  /// The normals alone: where the surface is a plane, to rounding, no point is searched for.
+  Points normals(const PointsRef& points) const;
+
+  /// @param start a triangle near the point if one is known, or -1.
+  SurfacePlace project(const Eigen::RowVector3d& point, Index start) const;
+
 private:
   TriangleMesh Surface;
   Points VertexNormals; // unit
   TriangleSearch Search;
+  std::optional<Eigen::RowVector3d> PlaneNormal; // of a surface that is one
 };
 }
 

@@ -72,3 +72,20 @@ TEST(SurfaceSearch, NearestPointsEqualBruteForce)
     EXPECT_NEAR((places.points.row(i) - queries.row(i)).norm(), least, 1e-14);
   }
 }
+
+TEST(SurfaceSearch, NormalsAloneAreThoseOfTheNearestPoints)
+{
+  for (const double bulge : { 0.0, 1e-9, 0.3 })
+  {
+    hexsweep::TriangleMesh surface = test::plate(6, {}, 0.3);
+    const Eigen::Matrix3d turn = Eigen::Quaterniond(0.5, 0.1, -0.7, 0.3).normalized().matrix();
+    for (Index i = 0; i < surface.points.rows(); ++i)
+    {
+      surface.points(i, 2) = bulge * surface.points.row(i).head<2>().squaredNorm();
+    }
+    surface.points = (surface.points * turn).eval();
+    const hexsweep::SurfaceSearch search(surface);
+    const Points near = surface.points.array() + 0.01;
+    EXPECT_LT((search.normals(near) - search.project(near).normals).cwiseAbs().maxCoeff(), 1e-14);
+  }
+}

@@ -11,6 +11,8 @@ from .messages import Refusal
 EXODUS = (".ex2", ".exo", ".e")
 WRITTEN = (".vtu", *EXODUS)
 
+_MOST_INT32 = 1 << 31
+
 
 def write(sweep, new, role_sets, messages):
     """@param new: NewFile. @param messages: VtkMessages. @throw Refusal where it went wrong."""
@@ -24,7 +26,10 @@ def write(sweep, new, role_sets, messages):
     if errors or not done or writer.GetErrorCode() != 0:
         raise new.failure(f"the writer failed{_first(errors)}")
     with messages.errors_collected(warnings_too=True) as errors, _library_messages(errors):
-        difference = checking.difference(new.path, source.GetOutputDataObject(0), exodus)
+        if exodus:
+            difference = checking.exodus_difference(new.path, source.GetOutputDataObject(0))
+        else:
+            difference = checking.xml_damage(new.path)
     if errors or difference:
         raise new.failure(f"the file that was written {difference or 'is damaged'}{_first(errors)}")
 
@@ -52,9 +57,15 @@ def _exodus_writer(sweep, role_sets):
 def _xml_writer(sweep):
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
+    grid = sweep.GetOutputDataObject(0)
     writer = vtkXMLUnstructuredGridWriter()
     writer.SetInputConnection(sweep.GetOutputPort(0))
+    # Of what every reader of Debian 12 and 13 accepts, the fastest: see Documentation/Results.md.
     writer.SetDataModeToBinary()
+    writer.SetCompressorTypeToLZ4()
+    writer.SetCompressionLevel(9)
+    if grid.GetCells().GetNumberOfConnectivityIds() < _MOST_INT32:
+        writer.SetIdTypeToInt32()
     return sweep, writer
 
 

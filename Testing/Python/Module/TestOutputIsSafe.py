@@ -96,6 +96,21 @@ def test_file_size_limit(folder):
         os.remove(old)
 
 
+def test_damage_is_seen(folder):
+    """What a full disk can leave of a .vtu file: a part of it, or blocks of zeros."""
+    from hexsweep.commandline.checking import xml_damage
+
+    path = os.path.join(folder, "whole.vtu")
+    assert run(SOLID, *COARSE, "-o", path).returncode == 0
+    assert xml_damage(path) == ""
+    with open(path, "rb") as file:
+        whole = file.read()
+    for damaged in (whole[:-12], whole[: len(whole) // 2], whole[:4096] + bytes(4096) + whole[8192:]):
+        with open(path, "wb") as file:
+            file.write(damaged)
+        assert xml_damage(path) != "", len(damaged)
+
+
 def begun(folder, old):
     """A run that takes long, once it has begun."""
     process = subprocess.Popen(
@@ -187,7 +202,7 @@ if __name__ == "__main__":
         test_full_disk()
         for test in (
             test_output_is_checked_before_the_work, test_read_only, test_file_size_limit,
-            test_signals, test_death, test_folder_vanishes,
+            test_damage_is_seen, test_signals, test_death, test_folder_vanishes,
         ):
             with temporary_folder() as output:
                 test(output)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace hexsweep
 {
@@ -23,8 +24,8 @@ class Polisher
 {
 public:
   Polisher(const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed,
-    const ParallelFor& parallelFor, const Progress& progress)
-    : Moves(points, hexes, fixed, parallelFor, progress)
+    std::vector<HexQuality> verdicts, const Progress& progress)
+    : Moves(points, hexes, fixed, std::move(verdicts), GoodEnough, progress)
     , Settled(fixed.size(), 0)
   {
     for (const HexQuality& quality : this->Moves.qualities())
@@ -81,6 +82,24 @@ private:
   std::vector<char> Settled;
   double Minimum = 1.0;
 };
+
+/// Whether a hexahedron that is not good enough has a node that may move.
+bool canGain(
+  const std::vector<HexQuality>& verdicts, const HexesRef& hexes, const std::vector<bool>& fixed)
+{
+  for (Index h = 0; h < hexes.rows(); ++h)
+  {
+    for (int i = 0; i < 8 && !(verdicts[static_cast<std::size_t>(h)].scaledJacobian >= GoodEnough);
+         ++i)
+    {
+      if (!fixed[static_cast<std::size_t>(hexes(h, i))])
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
 }
 
 PolishedHexes polishHexes(const PointsRef& points, const HexesRef& hexes,
@@ -89,18 +108,28 @@ PolishedHexes polishHexes(const PointsRef& points, const HexesRef& hexes,
 {
   PolishedHexes result;
   constexpr double Preparation = 0.1;
-  Polisher polisher(points, hexes, fixed, parallelFor, progressPart(progress, 0.0, Preparation));
+  std::vector<HexQuality> verdicts =
+    hexVerdicts(points, hexes, parallelFor, progressPart(progress, 0.0, 0.3 * Preparation));
+  if (!canGain(verdicts, hexes, fixed))
+  {
+    result.points = points;
+    return result;
+  }
+  Polisher polisher(points, hexes, fixed, std::move(verdicts),
+    progressPart(progress, 0.3 * Preparation, Preparation));
   const std::vector<std::vector<Index>>& groups = polisher.groups();
   const double width = (1.0 - Preparation) / static_cast<double>(rounds * groups.size());
   double done = Preparation;
-  for (int round = 0; round < rounds; ++round)
+  Index moved = 1;
+  for (int round = 0; round < rounds && moved > 0; ++round)
   {
+    moved = 0;
     for (const std::vector<Index>& group : groups)
     {
-      result.movedNodes +=
-        polisher.moveGroup(group, parallelFor, progressPart(progress, done, done + width));
+      moved += polisher.moveGroup(group, parallelFor, progressPart(progress, done, done + width));
       done += width;
     }
+    result.movedNodes += moved;
   }
   result.points = polisher.take();
   return result;

@@ -77,6 +77,7 @@ HexNodeMoves::HexNodeMoves(const PointsRef& points, const HexesRef& hexes,
 void HexNodeMoves::color(const std::vector<bool>& fixed, double enough, const Progress& progress)
 {
   std::vector<int> colors(fixed.size(), -1);
+  std::vector<std::size_t> sizes;
   std::vector<bool> taken;
   for (std::size_t i = 0; i < fixed.size(); ++i)
   {
@@ -90,7 +91,7 @@ void HexNodeMoves::color(const std::vector<bool>& fixed, double enough, const Pr
     {
       continue;
     }
-    taken.assign(this->Groups.size() + 1, false);
+    taken.assign(sizes.size() + 1, false);
     for (const Index h : around)
     {
       for (int c = 0; c < 8; ++c)
@@ -104,11 +105,20 @@ void HexNodeMoves::color(const std::vector<bool>& fixed, double enough, const Pr
     }
     const auto first = std::find(taken.begin(), taken.end(), false) - taken.begin();
     colors[i] = static_cast<int>(first);
-    if (static_cast<std::size_t>(first) == this->Groups.size())
+    sizes.resize(std::max(sizes.size(), static_cast<std::size_t>(first) + 1), 0);
+    ++sizes[static_cast<std::size_t>(first)];
+  }
+  this->Groups.resize(sizes.size());
+  for (std::size_t group = 0; group < sizes.size(); ++group)
+  {
+    this->Groups[group].reserve(sizes[group]);
+  }
+  for (std::size_t i = 0; i < colors.size(); ++i)
+  {
+    if (colors[i] >= 0)
     {
-      this->Groups.emplace_back();
+      this->Groups[static_cast<std::size_t>(colors[i])].push_back(static_cast<Index>(i));
     }
-    this->Groups[static_cast<std::size_t>(first)].push_back(static_cast<Index>(i));
   }
 }
 
@@ -120,6 +130,21 @@ double HexNodeMoves::leastAt(Index node) const
     least = std::min(least, this->Qualities[static_cast<std::size_t>(h)].scaledJacobian);
   }
   return least;
+}
+
+void HexNodeMoves::prefetch(Index node) const
+{
+#if defined(__GNUC__)
+  for (const Index h : this->AtNodes[node])
+  {
+    const Index* ids = this->Cells.data() + this->Cells.outerStride() * h;
+    __builtin_prefetch(ids);
+    __builtin_prefetch(ids + 7);
+    __builtin_prefetch(this->Qualities.data() + h);
+  }
+#else
+  static_cast<void>(node);
+#endif
 }
 
 /// A node and the hexahedra at it.

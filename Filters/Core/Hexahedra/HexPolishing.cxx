@@ -19,6 +19,8 @@ constexpr double FreelyTraded = 0.3;
 constexpr double LeastGain = 0.02;
 constexpr Index NodesAtOnce = 256;
 constexpr Index NodesPerReport = 64 * NodesAtOnce;
+/// Nodes between the one that moves and the one whose memory is asked for.
+constexpr Index Ahead = 6;
 
 class Polisher
 {
@@ -49,6 +51,7 @@ public:
           Index here = 0;
           for (Index k = first + begin; k < first + end; ++k)
           {
+            this->prefetch(nodes, std::min(k + Ahead, first + end - 1));
             here += this->move(nodes[static_cast<std::size_t>(k)]);
           }
           moved += here;
@@ -60,6 +63,15 @@ public:
   Points take() { return this->Moves.take(); }
 
 private:
+  void prefetch(const std::vector<Index>& nodes, Index k) const
+  {
+    const Index node = nodes[static_cast<std::size_t>(k)];
+    if (!this->Settled[static_cast<std::size_t>(node)])
+    {
+      this->Moves.prefetch(node);
+    }
+  }
+
   bool move(Index node)
   {
     char& settled = this->Settled[static_cast<std::size_t>(node)];

@@ -22,6 +22,7 @@ constexpr double LeastGain = 0.01;       // of the minimum, to count as progress
 constexpr double VisitsForAny = 20000.0; // that any mesh may cost
 constexpr double VisitsPerNode = 0.1;    // and each free node besides
 constexpr Index NodesAtOnce = 64;
+constexpr Index Ahead = 6; // nodes between the one that moves and the one whose memory is asked for
 
 struct Shortfall
 {
@@ -110,6 +111,7 @@ Index moveGroup(HexNodeMoves& moves, LowNodes& lowNodes, const std::vector<Index
     for (Index i = begin; i < end; ++i)
     {
       const Index node = low[static_cast<std::size_t>(i)];
+      moves.prefetch(low[static_cast<std::size_t>(std::min(i + Ahead, end - 1))]);
       const double least = moves.leastAt(node);
       moves.move(node, { std::max(Sharpness / wanted, LeastSharpness), least },
         std::min(least, wanted), certificates);

@@ -22,6 +22,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <utility>
+
 namespace hexsweep
 {
 namespace
@@ -29,43 +31,39 @@ namespace
 constexpr Index HexesAPiece = Index{ 1 } << 17;
 
 /// Points, hexahedra, and what they have from the source quads.
-void fillGrid(const PointsRef& points, vtkIdTypeArray* connectivity, Index layers,
-  const SourceAttributes& source, int precision, const Progress& progress,
-  vtkUnstructuredGrid* output)
+void fillGrid(vtkPoints* points, vtkIdTypeArray* connectivity, Index layers,
+  const SourceAttributes& source, const Progress& progress, vtkUnstructuredGrid* output)
 {
   const auto part = [&](double from, double to) { return progressPart(progress, from, to); };
-  output->SetPoints(newSweptPoints(points, precision, part(0.0, 0.3)));
-  setSweptCells(output, connectivity, part(0.3, 0.4));
+  output->SetPoints(points);
+  setSweptCells(output, connectivity, part(0.0, 0.1));
   vtkPointData* pointData = output->GetPointData();
   vtkCellData* cellData = output->GetCellData();
   if (source.data)
   {
     carryAttributes(
-      source.data->GetPointData(), source.pointIds, layers + 1, pointData, part(0.4, 0.5));
-    carryAttributes(source.data->GetCellData(), source.cellIds, layers, cellData, part(0.5, 0.6));
+      source.data->GetPointData(), source.pointIds, layers + 1, pointData, part(0.1, 0.3));
+    carryAttributes(source.data->GetCellData(), source.cellIds, layers, cellData, part(0.3, 0.5));
   }
   pointData->AddArray(
-    newRepeatedIds(arrays::SourcePointIds, source.pointIds, layers + 1, part(0.6, 0.7)));
+    newRepeatedIds(arrays::SourcePointIds, source.pointIds, layers + 1, part(0.5, 0.6)));
   pointData->AddArray(
-    newLayerNumbers(static_cast<Index>(source.pointIds.size()), layers + 1, part(0.7, 0.8)));
-  cellData->AddArray(newRepeatedIds(arrays::SourceCellIds, source.cellIds, layers, part(0.8, 0.9)));
+    newLayerNumbers(static_cast<Index>(source.pointIds.size()), layers + 1, part(0.6, 0.7)));
+  cellData->AddArray(newRepeatedIds(arrays::SourceCellIds, source.cellIds, layers, part(0.7, 0.9)));
   cellData->AddArray(
     newLayerNumbers(static_cast<Index>(source.cellIds.size()), layers, part(0.9, 1.0)));
 }
 
-void addQualities(
-  const std::vector<HexQuality>& qualities, const Progress& progress, vtkCellData* cellData)
+void setQualities(
+  const std::vector<HexQuality>& qualities, const Progress& progress, QualityArrays& arrays)
 {
   const Index hexes = static_cast<Index>(qualities.size());
-  QualityArrays arrays(hexes);
   forStoppablePieces(smpFor(), progress, hexes, HexesAPiece, [&](Index begin, Index end) {
     for (Index h = begin; h < end; ++h)
     {
       arrays.set(h, qualities[static_cast<std::size_t>(h)]);
     }
   });
-  arrays.addTo(cellData);
-  cellData->SetActiveScalars(arrays::ScaledJacobian);
 }
 }
 
@@ -95,7 +93,7 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,
     cage.source.rows(), layers, interior.sourceIsBottom, progressPart(progress, 0.9, 0.91));
   const auto hexes = hexView(connectivity);
-  const std::vector<HexQuality> qualities = !interior.qualities.empty()
+  std::vector<HexQuality> qualities = !interior.qualities.empty()
     ? std::move(interior.qualities)
     : hexQualities(
         interior.points, hexes, settings.certify, smpFor(), progressPart(progress, 0.91, 0.95));
@@ -131,15 +129,23 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
     result.warnings.push_back(describeUndecided(judged, advice()));
   }
 
+  // What is written is let go of before the next is: it all is as large as the grid.
+  QualityArrays qualityArrays(static_cast<vtkIdType>(qualities.size()));
+  setQualities(qualities, progressPart(progress, 0.95, 0.96), qualityArrays);
+  qualities = std::vector<HexQuality>();
   if (settings.reflection.turnsOver())
   {
     result.sourceIsBottom = !result.sourceIsBottom;
+    connectivity = nullptr;
     connectivity =
       newSweptConnectivity(cage.quads, cage.source.rows(), layers, result.sourceIsBottom, {});
   }
-  fillGrid(reflected(std::move(interior.points), settings.reflection), connectivity, layers, source,
-    settings.precision, progressPart(progress, 0.95, 0.98), output);
-  addQualities(qualities, progressPart(progress, 0.98, 1.0), output->GetCellData());
+  const vtkSmartPointer<vtkPoints> points =
+    newSweptPoints(reflected(std::move(interior.points), settings.reflection), settings.precision,
+      progressPart(progress, 0.96, 0.97));
+  fillGrid(points, connectivity, layers, source, progressPart(progress, 0.97, 1.0), output);
+  qualityArrays.addTo(output->GetCellData());
+  output->GetCellData()->SetActiveScalars(arrays::ScaledJacobian);
   vtkFieldData* fieldData = output->GetFieldData();
   addQualityReport(fieldData, summary);
   addReport(fieldData, reports::Method, interior.method);
@@ -153,6 +159,7 @@ void writeSweptGrid(const PointsRef& points, const SweepCage& cage, const Source
   const Index layers = cage.boundary.numberOfLayers();
   const vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,
     cage.source.rows(), layers, sourceIsBottom(cage.quads, points, layers, smpFor()), {});
-  fillGrid(points, connectivity, layers, source, precision, progress, output);
+  fillGrid(newSweptPoints(points, precision, progressPart(progress, 0.0, 0.3)), connectivity,
+    layers, source, progressPart(progress, 0.3, 1.0), output);
 }
 }

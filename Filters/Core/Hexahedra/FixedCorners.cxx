@@ -39,9 +39,10 @@ public:
   {
   }
 
-  FixedCorners run() &&
+  /// Looks at the hexahedra [begin, end).
+  void look(Index begin, Index end)
   {
-    for (Index h = 0; h < this->Cells.rows(); ++h)
+    for (Index h = begin; h < end; ++h)
     {
       int fixedNodes = 0;
       for (int c = 0; c < 8; ++c)
@@ -52,7 +53,7 @@ public:
       {
         if (this->isFixed(h, c))
         {
-          this->look(h, c);
+          this->lookAt(h, c);
         }
       }
       if (fixedNodes == 8)
@@ -60,6 +61,19 @@ public:
         this->certify(h);
       }
     }
+  }
+
+  /// Takes over what was found in the hexahedra that follow.
+  void append(const Search& next)
+  {
+    this->Found.floor = std::min(this->Found.floor, next.Found.floor);
+    this->Found.conflicts.insert(
+      this->Found.conflicts.end(), next.Found.conflicts.begin(), next.Found.conflicts.end());
+    this->HalfFixed.insert(this->HalfFixed.end(), next.HalfFixed.begin(), next.HalfFixed.end());
+  }
+
+  FixedCorners finish() &&
+  {
     this->lookForFolds();
     return std::move(*this).result();
   }
@@ -75,7 +89,7 @@ private:
     this->Found.conflicts.push_back({ h, this->Cells(h, c), cause });
   }
 
-  void look(Index h, int c)
+  void lookAt(Index h, int c)
   {
     const HexFrame frame = hexFrame([&](int i) { return this->Places.row(this->Cells(h, i)); }, c);
     const Eigen::RowVector3d* arms[3] = { &frame.u, &frame.v, &frame.w };
@@ -184,9 +198,21 @@ bool FixedCorners::forbids(Index hex) const
   return found != this->conflicts.end() && found->hex == hex;
 }
 
-FixedCorners fixedCorners(
-  const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed)
+FixedCorners fixedCorners(const PointsRef& points, const HexesRef& hexes,
+  const std::vector<bool>& fixed, const ParallelFor& parallelFor)
 {
-  return Search(points, hexes, fixed).run();
+  constexpr Index HexesAPiece = Index{ 1 } << 15;
+  std::vector<Search> pieces(
+    static_cast<std::size_t>((hexes.rows() + HexesAPiece - 1) / HexesAPiece),
+    Search(points, hexes, fixed));
+  forPieces(parallelFor, hexes.rows(), HexesAPiece, [&](Index begin, Index end) {
+    pieces[static_cast<std::size_t>(begin / HexesAPiece)].look(begin, end);
+  });
+  Search all(points, hexes, fixed);
+  for (const Search& piece : pieces)
+  {
+    all.append(piece);
+  }
+  return std::move(all).finish();
 }
 }

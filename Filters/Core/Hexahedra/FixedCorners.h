@@ -6,7 +6,7 @@
 #ifndef hexsweep_FixedCorners_h
 #define hexsweep_FixedCorners_h
 
-#include "Core/Common/Mesh.h"
+#include "Core/Common/ParallelFor.h"
 
 namespace hexsweep
 {
@@ -50,8 +50,8 @@ struct FixedCorners
  * @param hexes  m x 8 ids in [0, n), VTK_HEXAHEDRON order.
  * @param fixed  n entries: nodes that stay.
  */
-FixedCorners fixedCorners(
-  const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed);
+FixedCorners fixedCorners(const PointsRef& points, const HexesRef& hexes,
+  const std::vector<bool>& fixed, const ParallelFor& parallelFor = {});
 }
 
 #endif

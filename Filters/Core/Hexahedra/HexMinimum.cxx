@@ -22,6 +22,7 @@ constexpr double LeastGain = 0.01;       // of the minimum, to count as progress
 constexpr double VisitsForAny = 20000.0; // that any mesh may cost
 constexpr double VisitsPerNode = 0.1;    // and each free node besides
 constexpr Index NodesAtOnce = 64;
+constexpr Index Ahead = 6; // nodes between the one that moves and the one whose memory is asked for
 
 struct Shortfall
 {
@@ -45,27 +46,78 @@ Shortfall shortfall(const std::vector<HexQuality>& qualities, double wanted)
   return result;
 }
 
-Index moveGroup(HexNodeMoves& moves, const std::vector<Index>& nodes, double wanted,
-  Certificates certificates, const ParallelFor& parallelFor)
+/// Finds the nodes at low hexahedra without a look at all others, which nearly all are.
+class LowNodes
 {
-  const double enough = Room * wanted;
-  std::vector<Index> low;
-  for (const Index node : nodes)
+public:
+  /// @param enough scaled Jacobian from which on a hexahedron is not low.
+  LowNodes(const HexNodeMoves& moves, std::size_t nodes, double enough)
+    : Moves(moves)
+    , Enough(enough)
+    , Marked(nodes, 0)
   {
-    if (moves.leastAt(node) < enough)
+    for (Index h = 0; h < moves.hexes().rows(); ++h)
     {
-      low.push_back(node);
+      this->markIfLow(h);
     }
   }
+
+  std::vector<Index> of(const std::vector<Index>& group) const
+  {
+    std::vector<Index> low;
+    for (const Index node : group)
+    {
+      if (this->Marked[static_cast<std::size_t>(node)] && this->Moves.leastAt(node) < this->Enough)
+      {
+        low.push_back(node);
+      }
+    }
+    return low;
+  }
+
+  void update(const std::vector<Index>& moved)
+  {
+    for (const Index node : moved)
+    {
+      for (const Index h : this->Moves.atNodes()[node])
+      {
+        this->markIfLow(h);
+      }
+    }
+  }
+
+private:
+  void markIfLow(Index h)
+  {
+    if (this->Moves.qualities()[static_cast<std::size_t>(h)].scaledJacobian < this->Enough)
+    {
+      for (int i = 0; i < 8; ++i)
+      {
+        this->Marked[static_cast<std::size_t>(this->Moves.hexes()(h, i))] = 1;
+      }
+    }
+  }
+
+  const HexNodeMoves& Moves;
+  double Enough;
+  std::vector<char> Marked; ///< nodes of hexahedra that are low or were
+};
+
+Index moveGroup(HexNodeMoves& moves, LowNodes& lowNodes, const std::vector<Index>& nodes,
+  double wanted, Certificates certificates, const ParallelFor& parallelFor)
+{
+  const std::vector<Index> low = lowNodes.of(nodes);
   forPieces(parallelFor, static_cast<Index>(low.size()), NodesAtOnce, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i)
     {
       const Index node = low[static_cast<std::size_t>(i)];
+      moves.prefetch(low[static_cast<std::size_t>(std::min(i + Ahead, end - 1))]);
       const double least = moves.leastAt(node);
       moves.move(node, { std::max(Sharpness / wanted, LeastSharpness), least },
         std::min(least, wanted), certificates);
     }
   });
+  lowNodes.update(low);
   return static_cast<Index>(low.size());
 }
 }
@@ -85,6 +137,7 @@ RaisedMinimum raiseMinimum(const PointsRef& points, const HexesRef& hexes,
   RaisedMinimum result;
   result.before = reached.hexes;
   Shortfall now = reached;
+  LowNodes lowNodes(moves, fixed.size(), Room * wanted);
   int stagnant = 0;
   double visits = 0.0;
   while (now.hexes > 0 && visits < most && stagnant < StagnantRounds && wanted > 0.0)
@@ -93,7 +146,8 @@ RaisedMinimum raiseMinimum(const PointsRef& points, const HexesRef& hexes,
     const double before = visits;
     for (const std::vector<Index>& group : moves.groups())
     {
-      visits += static_cast<double>(moveGroup(moves, group, wanted, certificates, parallelFor));
+      visits +=
+        static_cast<double>(moveGroup(moves, lowNodes, group, wanted, certificates, parallelFor));
     }
     ++result.rounds;
     now = shortfall(moves.qualities(), wanted);

@@ -2,13 +2,14 @@
 #include "Core/Hexahedra/HexNodeMoves.h"
 
 #include "Core/Common/Errors.h"
-#include "Core/Hexahedra/HexCorner.h"
+#include "Core/Hexahedra/HexKernels.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <limits>
+#include <utility>
 
 namespace hexsweep
 {
@@ -20,130 +21,63 @@ constexpr int Backtracks = 4;
 constexpr double SufficientDecrease = 1e-4;
 constexpr std::size_t NodesPerReport = 16384;
 
-HexCorners cornersOf(const Points& points, const HexesRef& hexes, Index h)
+/// Numbers of one visit: in place up to `Size`, which nearly all nodes need.
+template <typename Value, std::size_t Size>
+class Scratch
 {
-  HexCorners corners;
-  for (int i = 0; i < 8; ++i)
+public:
+  explicit Scratch(std::size_t size)
   {
-    corners.row(i) = points.row(hexes(h, i));
-  }
-  return corners;
-}
-
-/// Index of a node among the corners of a hexahedron at it.
-int cornerOf(const HexesRef& hexes, Index h, Index node)
-{
-  int corner = 0;
-  while (hexes(h, corner) != node)
-  {
-    ++corner;
-  }
-  return corner;
-}
-
-struct Corner
-{
-  Eigen::Vector3d arm[3];
-  double squares[3];
-  double lengths; ///< their product
-  double jacobian;
-
-  Corner(const HexCorners& x, int c)
-  {
-    for (int e = 0; e < 3; ++e)
+    if (size > Size)
     {
-      this->arm[e] = (x.row(HexCornerNeighbors[c][e]) - x.row(c)).transpose();
-      this->squares[e] = this->arm[e].squaredNorm();
+      this->Many.resize(size);
+      this->First = this->Many.data();
     }
-    this->lengths =
-      std::sqrt(this->squares[0]) * std::sqrt(this->squares[1]) * std::sqrt(this->squares[2]);
-    this->jacobian = this->arm[0].dot(this->arm[1].cross(this->arm[2])) / this->lengths;
   }
+  Value* data() { return this->First; }
+  const Value* data() const { return this->First; }
 
-  /// The scaled Jacobian's derivative by an arm, but for the arm's length.
-  Eigen::Vector3d cross(int e) const
-  {
-    return this->arm[(e + 1) % 3].cross(this->arm[(e + 2) % 3]) / this->lengths;
-  }
+private:
+  std::array<Value, Size> Few;
+  std::vector<Value> Many;
+  Value* First = this->Few.data();
 };
-}
 
-HexLoss::Place HexLoss::at(double x) const
+/// Downhill by the sum's parabola; not finite where that has no lowest place.
+Eigen::Vector3d newtonStep(const HexNodeSum& sum)
 {
-  const double k = this->sharpness;
-  if (k == 0.0)
-  {
-    return { (1.0 - x) * (1.0 - x), -2.0 * (1.0 - x), 2.0 };
-  }
-  const double t = k * (this->middle - x);
-  if (t > 0.0)
-  {
-    return { 1.0 + t + 0.5 * t * t, -k * (1.0 + t), k * k };
-  }
-  const double value = std::exp(t);
-  return { value, -k * value, k * k * value };
+  const double* c = sum.curvature;
+  Eigen::Matrix3d matrix;
+  matrix << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+  matrix.diagonal().array() += Damping * matrix.diagonal().mean();
+  return matrix.llt().solve(-Eigen::Map<const Eigen::Vector3d>(sum.gradient));
 }
-
-void HexNodeSum::add(const HexCorners& x, int moving, const HexLoss& loss)
-{
-  for (int i = 0; i < 4; ++i)
-  {
-    const int c = i < 3 ? HexCornerNeighbors[moving][i] : moving;
-    const Corner corner(x, c);
-    if (!(corner.lengths > 0.0))
-    {
-      continue;
-    }
-    Eigen::Vector3d slope = Eigen::Vector3d::Zero();
-    // The scaled Jacobian falls about quadratically as an arm turns away from its best place.
-    double stiffness = 0.0;
-    for (int e = 0; e < 3; ++e)
-    {
-      if (c == moving || HexCornerNeighbors[c][e] == moving)
-      {
-        const double inverse = 1.0 / corner.squares[e];
-        slope += corner.cross(e) - corner.jacobian * inverse * corner.arm[e];
-        stiffness += inverse;
-      }
-    }
-    if (c == moving)
-    {
-      slope = -slope;
-    }
-    const HexLoss::Place place = loss.at(corner.jacobian);
-    this->value += place.value;
-    this->gradient += place.slope * slope;
-    this->curvature.noalias() += place.curvature * slope * slope.transpose();
-    this->curvature.diagonal().array() -= place.slope * std::max(corner.jacobian, 0.0) * stiffness;
-  }
-}
-
-double HexNodeSum::valueOf(const HexCorners& x, int moving, const HexLoss& loss)
-{
-  double value = 0.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    const Corner corner(x, i < 3 ? HexCornerNeighbors[moving][i] : moving);
-    value += corner.lengths > 0.0 ? loss.at(corner.jacobian).value : 0.0;
-  }
-  return value;
 }
 
 HexNodeMoves::HexNodeMoves(const PointsRef& points, const HexesRef& hexes,
   const std::vector<bool>& fixed, const ParallelFor& parallelFor, const Progress& progress)
+  : HexNodeMoves(points, hexes, fixed,
+      hexVerdicts(points, hexes, parallelFor, progressPart(progress, 0.0, 0.3)),
+      std::numeric_limits<double>::infinity(), progressPart(progress, 0.3, 1.0))
+{
+}
+
+HexNodeMoves::HexNodeMoves(const PointsRef& points, const HexesRef& hexes,
+  const std::vector<bool>& fixed, std::vector<HexQuality> verdicts, double enough,
+  const Progress& progress)
   : Places(points)
   , Cells(hexes)
   , AtNodes(hexes, points.rows())
+  , Qualities(std::move(verdicts))
 {
-  this->color(fixed, progressPart(progress, 0.0, 0.7));
-  this->Qualities =
-    hexQualities(points, hexes, true, parallelFor, progressPart(progress, 0.7, 1.0));
+  this->color(fixed, enough, progress);
 }
 
 /// Greedily.
-void HexNodeMoves::color(const std::vector<bool>& fixed, const Progress& progress)
+void HexNodeMoves::color(const std::vector<bool>& fixed, double enough, const Progress& progress)
 {
   std::vector<int> colors(fixed.size(), -1);
+  std::vector<std::size_t> sizes;
   std::vector<bool> taken;
   for (std::size_t i = 0; i < fixed.size(); ++i)
   {
@@ -152,11 +86,12 @@ void HexNodeMoves::color(const std::vector<bool>& fixed, const Progress& progres
       reportProgress(progress, static_cast<double>(i) / static_cast<double>(fixed.size()));
     }
     const auto around = this->AtNodes[static_cast<Index>(i)];
-    if (fixed[i] || around.begin() == around.end())
+    if (fixed[i] || around.begin() == around.end() ||
+      this->leastAt(static_cast<Index>(i)) >= enough)
     {
       continue;
     }
-    taken.assign(this->Groups.size() + 1, false);
+    taken.assign(sizes.size() + 1, false);
     for (const Index h : around)
     {
       for (int c = 0; c < 8; ++c)
@@ -170,11 +105,20 @@ void HexNodeMoves::color(const std::vector<bool>& fixed, const Progress& progres
     }
     const auto first = std::find(taken.begin(), taken.end(), false) - taken.begin();
     colors[i] = static_cast<int>(first);
-    if (static_cast<std::size_t>(first) == this->Groups.size())
+    sizes.resize(std::max(sizes.size(), static_cast<std::size_t>(first) + 1), 0);
+    ++sizes[static_cast<std::size_t>(first)];
+  }
+  this->Groups.resize(sizes.size());
+  for (std::size_t group = 0; group < sizes.size(); ++group)
+  {
+    this->Groups[group].reserve(sizes[group]);
+  }
+  for (std::size_t i = 0; i < colors.size(); ++i)
+  {
+    if (colors[i] >= 0)
     {
-      this->Groups.emplace_back();
+      this->Groups[static_cast<std::size_t>(colors[i])].push_back(static_cast<Index>(i));
     }
-    this->Groups[static_cast<std::size_t>(first)].push_back(static_cast<Index>(i));
   }
 }
 
@@ -188,14 +132,115 @@ double HexNodeMoves::leastAt(Index node) const
   return least;
 }
 
+void HexNodeMoves::prefetch(Index node) const
+{
+#if defined(__GNUC__)
+  for (const Index h : this->AtNodes[node])
+  {
+    const Index* ids = this->Cells.data() + this->Cells.outerStride() * h;
+    __builtin_prefetch(ids);
+    __builtin_prefetch(ids + 7);
+    __builtin_prefetch(this->Qualities.data() + h);
+  }
+#else
+  static_cast<void>(node);
+#endif
+}
+
+/// A node and the hexahedra at it.
+class HexNodeMoves::Visit
+{
+public:
+  Visit(HexNodeMoves& moves, Index node)
+    : Moves(moves)
+    , Around(moves.AtNodes[node])
+    , Count(Around.end() - Around.begin())
+    , Batches(static_cast<int>((Count + HexLanesSize - 1) / HexLanesSize))
+    , Corners(static_cast<std::size_t>(8 * HexLanesSize * Batches))
+  {
+    const double* places = moves.Places.data();
+    const double** to = this->Corners.data();
+    for (const Index h : this->Around)
+    {
+      const Index* ids = moves.Cells.data() + moves.Cells.outerStride() * h;
+      int corner = 0;
+      while (ids[corner] != node)
+      {
+        ++corner;
+      }
+      for (const int i : HexCornersFrom[corner])
+      {
+        *to++ = places + 3 * ids[i];
+      }
+    }
+    // Hexahedra without edges fill the last batch: they add nothing.
+    std::fill(to, this->Corners.data() + 8 * HexLanesSize * this->Batches, places + 3 * node);
+  }
+
+  HexNodeSum sum(const HexLoss& loss) const
+  {
+    return Kernels.sum(this->Corners.data(), this->Batches, loss);
+  }
+
+  double value(const HexLoss& loss) const
+  {
+    return Kernels.value(this->Corners.data(), this->Batches, loss);
+  }
+
+  /// Whether the hexahedra are to be had as they are now; keeps their qualities then.
+  bool accept(double floor, Certificates certificates)
+  {
+    // In the order of their own corners: the last bits are those that others find.
+    Scratch<const double*, 8 * UsualHexes> corners(static_cast<std::size_t>(8 * this->Count));
+    const double** to = corners.data();
+    for (const Index h : this->Around)
+    {
+      const Index* ids = this->Moves.Cells.data() + this->Moves.Cells.outerStride() * h;
+      for (int i = 0; i < 8; ++i)
+      {
+        *to++ = this->Moves.Places.data() + 3 * ids[i];
+      }
+    }
+    Scratch<HexQuality, UsualHexes> qualities(static_cast<std::size_t>(this->Count));
+    hexVerdicts(corners.data(), this->Count, qualities.data());
+    const HexQuality* now = qualities.data();
+    for (const Index h : this->Around)
+    {
+      const HexQuality& old = this->Moves.Qualities[static_cast<std::size_t>(h)];
+      if (!(now->scaledJacobian >= floor) ||
+        (certificates == Certificates::Stay && old.validity == Validity::Certified &&
+          now->validity != Validity::Certified))
+      {
+        return false;
+      }
+      ++now;
+    }
+    now = qualities.data();
+    for (const Index h : this->Around)
+    {
+      this->Moves.Qualities[static_cast<std::size_t>(h)] = *now++;
+    }
+    return true;
+  }
+
+private:
+  static constexpr std::size_t UsualHexes = 16;
+
+  HexNodeMoves& Moves;
+  const HexKernels& Kernels = hexKernels();
+  const HexesAtNodes::Range Around;
+  const Index Count;
+  const int Batches;
+  Scratch<const double*, 8 * UsualHexes> Corners; ///< of each hexahedron, from the node on
+};
+
 HexNodeMoves::Step HexNodeMoves::move(
   Index node, const HexLoss& loss, double floor, Certificates certificates)
 {
-  const HexNodeSum sum = this->sum(node, loss);
-  Eigen::Matrix3d matrix = sum.curvature;
-  matrix.diagonal().array() += Damping * matrix.diagonal().mean();
-  const Eigen::Vector3d step = matrix.ldlt().solve(-sum.gradient);
-  const double slope = step.dot(sum.gradient);
+  Visit visit(*this, node);
+  const HexNodeSum sum = visit.sum(loss);
+  const Eigen::Vector3d step = newtonStep(sum);
+  const double slope = step.dot(Eigen::Map<const Eigen::Vector3d>(sum.gradient));
   if (!step.allFinite() || !(slope < 0.0))
   {
     return {};
@@ -205,63 +250,14 @@ HexNodeMoves::Step HexNodeMoves::move(
   for (int backtrack = 0; backtrack < Backtracks; ++backtrack, length *= 0.5)
   {
     this->Places.row(node) = before + length * step.transpose();
-    if (const std::optional<double> after = this->accept(
-          node, loss, floor, sum.value + SufficientDecrease * length * slope, certificates))
+    const double value = visit.value(loss);
+    if (value <= sum.value + SufficientDecrease * length * slope &&
+      visit.accept(floor, certificates))
     {
-      return { true, (sum.value - *after) / sum.value };
+      return { true, (sum.value - value) / sum.value };
     }
   }
   this->Places.row(node) = before;
   return {};
-}
-
-HexNodeSum HexNodeMoves::sum(Index node, const HexLoss& loss) const
-{
-  HexNodeSum sum;
-  for (const Index h : this->AtNodes[node])
-  {
-    sum.add(cornersOf(this->Places, this->Cells, h), cornerOf(this->Cells, h, node), loss);
-  }
-  return sum;
-}
-
-/// The sum at the node's new place, where that is to be kept.
-std::optional<double> HexNodeMoves::accept(
-  Index node, const HexLoss& loss, double floor, double greatestSum, Certificates certificates)
-{
-  const auto around = this->AtNodes[node];
-  Points corners(8 * (around.end() - around.begin()), 3);
-  Index row = 0;
-  double value = 0.0;
-  for (const Index h : around)
-  {
-    const HexCorners places = cornersOf(this->Places, this->Cells, h);
-    value += HexNodeSum::valueOf(places, cornerOf(this->Cells, h, node), loss);
-    corners.middleRows<8>(row) = places;
-    row += 8;
-  }
-  if (!(value <= greatestSum))
-  {
-    return std::nullopt;
-  }
-  const std::vector<HexQuality> qualities = hexQualities(corners);
-  std::size_t next = 0;
-  for (const Index h : around)
-  {
-    const HexQuality& old = this->Qualities[static_cast<std::size_t>(h)];
-    const HexQuality& now = qualities[next++];
-    if (!(now.scaledJacobian >= floor) ||
-      (certificates == Certificates::Stay && old.validity == Validity::Certified &&
-        now.validity != Validity::Certified))
-    {
-      return std::nullopt;
-    }
-  }
-  next = 0;
-  for (const Index h : around)
-  {
-    this->Qualities[static_cast<std::size_t>(h)] = qualities[next++];
-  }
-  return value;
 }
 }

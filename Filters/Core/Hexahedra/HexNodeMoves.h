@@ -7,10 +7,9 @@
 #define hexsweep_HexNodeMoves_h
 
 #include "Core/Common/ParallelFor.h"
+#include "Core/Hexahedra/HexLoss.h"
 #include "Core/Hexahedra/HexPatches.h"
 #include "Core/Hexahedra/HexQuality.h"
-
-#include <optional>
 
 namespace hexsweep
 {
@@ -19,35 +18,6 @@ enum class Certificates
 {
   Stay,
   MayGo
-};
-
-/// A falling convex function of a corner's scaled Jacobian.
-struct HexLoss
-{
-  /// 0: (1 - x)^2. Else exp(sharpness (middle - x)), continued as a parabola below the middle.
-  double sharpness = 0.0;
-  double middle = 0.0;
-
-  struct Place
-  {
-    double value;
-    double slope;     ///< <= 0 for x <= 1
-    double curvature; ///< >= 0
-  };
-  Place at(double scaledJacobian) const;
-};
-
-/// Sum, gradient and Gauss-Newton matrix of a loss with respect to one node.
-struct HexNodeSum
-{
-  double value = 0.0;
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
-
-  /// Adds the corners of a hexahedron that depend on its corner `moving`.
-  void add(const HexCorners& corners, int moving, const HexLoss& loss);
-  /// What add() adds to the value.
-  static double valueOf(const HexCorners& corners, int moving, const HexLoss& loss);
 };
 
 /**
@@ -62,15 +32,23 @@ public:
   /// @param fixed n entries: nodes that stay. @throw Aborted when progress returns false.
   HexNodeMoves(const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed,
     const ParallelFor& parallelFor, const Progress& progress);
+  /// @param verdicts of the hexahedra. @param enough nodes whose hexahedra all have a scaled
+  ///        Jacobian of that are in no group.
+  HexNodeMoves(const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed,
+    std::vector<HexQuality> verdicts, double enough, const Progress& progress);
 
   /// The free nodes with a hexahedron.
   const std::vector<std::vector<Index>>& groups() const { return this->Groups; }
+  /// See hexVerdicts() for the bounds.
   const std::vector<HexQuality>& qualities() const { return this->Qualities; }
   const HexesRef& hexes() const { return this->Cells; }
   const HexesAtNodes& atNodes() const { return this->AtNodes; }
 
   /// Least scaled Jacobian of the hexahedra at a node; 1 at the most.
   double leastAt(Index node) const;
+
+  /// Asks for what a visit of a node reads first: meshes are larger than a processor's caches.
+  void prefetch(Index node) const;
 
   struct Step
   {
@@ -90,10 +68,9 @@ public:
   Points take() { return std::move(this->Places); }
 
 private:
-  void color(const std::vector<bool>& fixed, const Progress& progress);
-  HexNodeSum sum(Index node, const HexLoss& loss) const;
-  std::optional<double> accept(
-    Index node, const HexLoss& loss, double floor, double greatestSum, Certificates certificates);
+  class Visit;
+
+  void color(const std::vector<bool>& fixed, double enough, const Progress& progress);
 
   Points Places;
   HexesRef Cells;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Hexahedra/HexPatches.h"
 
+#include "Core/Common/Errors.h"
+
 #include <algorithm>
+#include <limits>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -9,8 +13,13 @@ namespace hexsweep
 {
 HexesAtNodes::HexesAtNodes(const HexesRef& hexes, Index numberOfPoints)
   : Begin(static_cast<std::size_t>(numberOfPoints) + 1, 0)
-  , Cells(static_cast<std::size_t>(hexes.size()))
 {
+  if (hexes.rows() > std::numeric_limits<std::uint32_t>::max())
+  {
+    throw InvalidInput(std::to_string(hexes.rows()) +
+      " hexahedra are more than can be untangled or polished. Use a coarser mesh, or several.");
+  }
+  this->Cells.resize(static_cast<std::size_t>(hexes.size()));
   for (Index h = 0; h < hexes.rows(); ++h)
   {
     for (int i = 0; i < 8; ++i)
@@ -27,7 +36,8 @@ HexesAtNodes::HexesAtNodes(const HexesRef& hexes, Index numberOfPoints)
   {
     for (int i = 0; i < 8; ++i)
     {
-      this->Cells[static_cast<std::size_t>(next[static_cast<std::size_t>(hexes(h, i))]++)] = h;
+      this->Cells[static_cast<std::size_t>(next[static_cast<std::size_t>(hexes(h, i))]++)] =
+        static_cast<std::uint32_t>(h);
     }
   }
 }

@@ -14,16 +14,16 @@ namespace hexsweep
 class HexesAtNodes
 {
 public:
-  /// @param hexes m x 8 ids in [0, numberOfPoints).
+  /// @param hexes m x 8 ids in [0, numberOfPoints). @throw InvalidInput for 2^32 or more.
   HexesAtNodes(const HexesRef& hexes, Index numberOfPoints);
 
   /// Iterable: ids of the hexahedra with that node, rising.
   struct Range
   {
-    const Index* first;
-    const Index* last;
-    const Index* begin() const { return this->first; }
-    const Index* end() const { return this->last; }
+    const std::uint32_t* first;
+    const std::uint32_t* last;
+    const std::uint32_t* begin() const { return this->first; }
+    const std::uint32_t* end() const { return this->last; }
   };
   Range operator[](Index node) const
   {
@@ -33,7 +33,7 @@ public:
 
 private:
   std::vector<Index> Begin;
-  std::vector<Index> Cells;
+  std::vector<std::uint32_t> Cells; ///< eight a hexahedron: half the memory of a mesh otherwise
 };
 
 /// A piece of a mesh with node numbers of its own.

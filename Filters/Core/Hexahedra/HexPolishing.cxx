@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace hexsweep
 {
@@ -18,13 +19,15 @@ constexpr double FreelyTraded = 0.3;
 constexpr double LeastGain = 0.02;
 constexpr Index NodesAtOnce = 256;
 constexpr Index NodesPerReport = 64 * NodesAtOnce;
+/// Nodes between the one that moves and the one whose memory is asked for.
+constexpr Index Ahead = 6;
 
 class Polisher
 {
 public:
   Polisher(const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed,
-    const ParallelFor& parallelFor, const Progress& progress)
-    : Moves(points, hexes, fixed, parallelFor, progress)
+    std::vector<HexQuality> verdicts, const Progress& progress)
+    : Moves(points, hexes, fixed, std::move(verdicts), GoodEnough, progress)
     , Settled(fixed.size(), 0)
   {
     for (const HexQuality& quality : this->Moves.qualities())
@@ -48,6 +51,7 @@ public:
           Index here = 0;
           for (Index k = first + begin; k < first + end; ++k)
           {
+            this->prefetch(nodes, std::min(k + Ahead, first + end - 1));
             here += this->move(nodes[static_cast<std::size_t>(k)]);
           }
           moved += here;
@@ -59,6 +63,15 @@ public:
   Points take() { return this->Moves.take(); }
 
 private:
+  void prefetch(const std::vector<Index>& nodes, Index k) const
+  {
+    const Index node = nodes[static_cast<std::size_t>(k)];
+    if (!this->Settled[static_cast<std::size_t>(node)])
+    {
+      this->Moves.prefetch(node);
+    }
+  }
+
   bool move(Index node)
   {
     char& settled = this->Settled[static_cast<std::size_t>(node)];
@@ -81,6 +94,24 @@ private:
   std::vector<char> Settled;
   double Minimum = 1.0;
 };
+
+/// Whether a hexahedron that is not good enough has a node that may move.
+bool canGain(
+  const std::vector<HexQuality>& verdicts, const HexesRef& hexes, const std::vector<bool>& fixed)
+{
+  for (Index h = 0; h < hexes.rows(); ++h)
+  {
+    for (int i = 0; i < 8 && !(verdicts[static_cast<std::size_t>(h)].scaledJacobian >= GoodEnough);
+         ++i)
+    {
+      if (!fixed[static_cast<std::size_t>(hexes(h, i))])
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
 }
 
 PolishedHexes polishHexes(const PointsRef& points, const HexesRef& hexes,
@@ -89,18 +120,28 @@ PolishedHexes polishHexes(const PointsRef& points, const HexesRef& hexes,
 {
   PolishedHexes result;
   constexpr double Preparation = 0.1;
-  Polisher polisher(points, hexes, fixed, parallelFor, progressPart(progress, 0.0, Preparation));
+  std::vector<HexQuality> verdicts =
+    hexVerdicts(points, hexes, parallelFor, progressPart(progress, 0.0, 0.3 * Preparation));
+  if (!canGain(verdicts, hexes, fixed))
+  {
+    result.points = points;
+    return result;
+  }
+  Polisher polisher(points, hexes, fixed, std::move(verdicts),
+    progressPart(progress, 0.3 * Preparation, Preparation));
   const std::vector<std::vector<Index>>& groups = polisher.groups();
   const double width = (1.0 - Preparation) / static_cast<double>(rounds * groups.size());
   double done = Preparation;
-  for (int round = 0; round < rounds; ++round)
+  Index moved = 1;
+  for (int round = 0; round < rounds && moved > 0; ++round)
   {
+    moved = 0;
     for (const std::vector<Index>& group : groups)
     {
-      result.movedNodes +=
-        polisher.moveGroup(group, parallelFor, progressPart(progress, done, done + width));
+      moved += polisher.moveGroup(group, parallelFor, progressPart(progress, done, done + width));
       done += width;
     }
+    result.movedNodes += moved;
   }
   result.points = polisher.take();
   return result;

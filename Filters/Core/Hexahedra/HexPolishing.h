@@ -19,12 +19,14 @@ struct PolishedHexes
 
 /**
  * Moves one node after the other so that the sum of (1 - scaled Jacobian)^2 over the corners of its
- * hexahedra falls (a Gauss-Newton step with backtracking), a fixed number of times round the mesh.
+ * hexahedra falls (a Gauss-Newton step with backtracking), some times round the mesh; a round in
+ * which no node gains is the last.
  *
  * A move is made only if every hexahedron at the node that was Certified still is, and if the least
  * scaled Jacobian among them does not fall (or stays above 0.3 and above the mesh's minimum): the
- * mesh's minimum never falls, and no certificate is lost. Nodes of hexahedra that are all better
- * than 0.95 stay, and so do those whose sum fell by less than 2 % when they were last looked at.
+ * mesh's minimum never falls, and no certificate is lost. Nodes stay whose hexahedra are all better
+ * than 0.95, at the beginning or when their turn comes, and so do those whose sum fell by less than
+ * 2 % when they were last looked at.
  *
  * Nodes that share no hexahedron are moved side by side, in groups that do not depend on the
  * number of threads: the result is the same bit for bit.
@@ -32,7 +34,7 @@ struct PolishedHexes
  * @param points n x 3.
  * @param hexes  m x 8 ids in [0, n).
  * @param fixed  n entries: nodes that stay.
- * @param rounds times round the mesh, >= 0.
+ * @param rounds times round the mesh at the most, >= 0.
  * @throw Aborted when progress returns false.
  */
 PolishedHexes polishHexes(const PointsRef& points, const HexesRef& hexes,

@@ -6,7 +6,7 @@
 #include "Core/Hexahedra/BezierHex.h"
 #include "Core/Hexahedra/BezierMinimum.h"
 #include "Core/Hexahedra/HexCorner.h"
-#include "Core/Hexahedra/HexLanes.h"
+#include "Core/Hexahedra/HexKernels.h"
 
 #include <algorithm>
 #include <array>
@@ -96,8 +96,9 @@ HexQuality hexQuality(const HexCornersRef& corners)
 
 namespace
 {
-// Of an even number of hexahedra, so that batches do not depend on the pieces.
+// Whole batches, so that they do not depend on the pieces.
 constexpr Index HexesPerPiece = 4096;
+static_assert(HexesPerPiece % HexLanesSize == 0);
 constexpr Index HexesPerReport = 64 * HexesPerPiece;
 
 // The coordinates of the eight corners of a hexahedron.
@@ -134,13 +135,22 @@ HexQuality qualityFromFigures(const HexFigures<HexLanes>& figures, int lane)
   return quality;
 }
 
-// The certificate where the undivided coefficients give it, with a bound that is tight.
-std::optional<HexCertificate> certificateFromFigures(const HexFigures<HexLanes>& figures, int lane)
+enum class Judged
+{
+  Corners,        // no certificate
+  Verdict,        // without the bound
+  VerdictAndBound // that is tight
+};
+
+// The certificate where the undivided coefficients give it.
+std::optional<HexCertificate> certificateFromFigures(
+  const HexFigures<HexLanes>& figures, int lane, Judged judged)
 {
   const double error = BezierErrorBound * std::sqrt(figures.edgeProduct[lane]);
   const double corner = figures.leastCorner[lane];
   const double least = figures.leastCoefficient[lane];
-  const bool isTight = corner - least <= JacobianBoundTolerance * std::abs(corner);
+  const bool isTight =
+    judged == Judged::Verdict || corner - least <= JacobianBoundTolerance * std::abs(corner);
   if (isTight && least > error)
   {
     return HexCertificate{ Validity::Certified, least - error };
@@ -163,16 +173,16 @@ HexCorners copyOf(const CornerPointers& pointers)
 }
 
 HexQuality qualityOf(
-  const HexFigures<HexLanes>& figures, int lane, const CornerPointers& corners, bool certify)
+  const HexFigures<HexLanes>& figures, int lane, const CornerPointers& corners, Judged judged)
 {
   const bool inRange = isInRange(figures, lane);
   HexQuality quality = inRange ? qualityFromFigures(figures, lane) : hexQuality(copyOf(corners));
-  if (certify)
+  if (judged != Judged::Corners)
   {
     std::optional<HexCertificate> certificate;
     if (inRange)
     {
-      certificate = certificateFromFigures(figures, lane);
+      certificate = certificateFromFigures(figures, lane, judged);
     }
     if (!certificate)
     {
@@ -186,8 +196,9 @@ HexQuality qualityOf(
 
 // Qualities of the hexahedra [begin, end). cornersOf(h) gives the pointers to the corners of one.
 template <typename CornersOf>
-void judge(Index begin, Index end, const CornersOf& cornersOf, bool certify, HexQuality* qualities)
+void judge(Index begin, Index end, const CornersOf& cornersOf, Judged judged, HexQuality* qualities)
 {
+  const HexKernels& kernels = hexKernels();
   for (Index first = begin; first < end; first += HexLanesSize)
   {
     // The last batch is filled with repetitions of its first hexahedron.
@@ -199,17 +210,19 @@ void judge(Index begin, Index end, const CornersOf& cornersOf, bool certify, Hex
       corners[l] = cornersOf(first + lane < end ? first + lane : first);
       std::copy(corners[l].begin(), corners[l].end(), pointers + 8 * lane);
     }
-    const HexFigures<HexLanes> figures = measureHexes(pointers);
+    const HexFigures<HexLanes> figures = kernels.measure(pointers);
     for (int lane = 0; lane < HexLanesSize && first + lane < end; ++lane)
     {
       qualities[first + lane] =
-        qualityOf(figures, lane, corners[static_cast<std::size_t>(lane)], certify);
+        qualityOf(figures, lane, corners[static_cast<std::size_t>(lane)], judged);
     }
   }
 }
 }
 
-std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes, bool certify,
+namespace
+{
+std::vector<HexQuality> judge(const PointsRef& points, const HexesRef& hexes, Judged judged,
   const ParallelFor& parallelFor, const Progress& progress)
 {
   checkIds(hexes, points.rows(), "hexahedron");
@@ -229,10 +242,24 @@ std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& he
     qualities.resize(static_cast<std::size_t>(std::min(first + HexesPerReport, hexes.rows())));
     forPieces(parallelFor, std::min(HexesPerReport, hexes.rows() - first), HexesPerPiece,
       [&](Index begin, Index end) {
-        judge(first + begin, first + end, cornersOf, certify, qualities.data());
+        judge(first + begin, first + end, cornersOf, judged, qualities.data());
       });
   }
   return qualities;
+}
+}
+
+std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& hexes, bool certify,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  return judge(
+    points, hexes, certify ? Judged::VerdictAndBound : Judged::Corners, parallelFor, progress);
+}
+
+std::vector<HexQuality> hexVerdicts(const PointsRef& points, const HexesRef& hexes,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  return judge(points, hexes, Judged::Verdict, parallelFor, progress);
 }
 
 std::vector<HexQuality> hexQualities(const PointsRef& corners, bool certify)
@@ -252,8 +279,18 @@ std::vector<HexQuality> hexQualities(const PointsRef& corners, bool certify)
     }
     return pointers;
   };
-  judge(0, hexes, cornersOf, certify, qualities.data());
+  judge(0, hexes, cornersOf, certify ? Judged::VerdictAndBound : Judged::Corners, qualities.data());
   return qualities;
+}
+
+void hexVerdicts(const double* const* corners, Index hexes, HexQuality* verdicts)
+{
+  const auto cornersOf = [corners](Index h) {
+    CornerPointers pointers;
+    std::copy(corners + 8 * h, corners + 8 * h + 8, pointers.begin());
+    return pointers;
+  };
+  judge(0, hexes, cornersOf, Judged::Verdict, verdicts);
 }
 
 void HexQualitySummary::add(const HexQuality& quality)

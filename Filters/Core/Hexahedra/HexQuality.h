@@ -58,6 +58,17 @@ std::vector<HexQuality> hexQualities(const PointsRef& points, const HexesRef& he
 /// @throw InvalidInput when their number is no multiple of 8.
 std::vector<HexQuality> hexQualities(const PointsRef& corners, bool certify = true);
 
+/**
+ * The same without a tight bound (there is any, or not a number), which costs several times the
+ * verdict where a hexahedron is not nearly a parallelepiped.
+ */
+std::vector<HexQuality> hexVerdicts(const PointsRef& points, const HexesRef& hexes,
+  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// The same of few. @param corners points of three coordinates, the eight of one hexahedron, then
+/// those of the next. @param verdicts one for each hexahedron.
+void hexVerdicts(const double* const* corners, Index hexes, HexQuality* verdicts);
+
 /// Counts and extremes over many hexahedra; those that are NotJudged do not count.
 struct HexQualitySummary
 {

@@ -86,7 +86,7 @@ CurablePatch curable(const HexPatch& patch, const HexBoxes& boxes, const FixedCo
 PatchQuality measure(const PointsRef& points, const HexesRef& hexes)
 {
   PatchQuality result;
-  for (const HexQuality& quality : hexQualities(points, hexes))
+  for (const HexQuality& quality : hexVerdicts(points, hexes))
   {
     result.bad += isBad(quality);
     result.invertedCorners += quality.scaledJacobian <= 0.0;
@@ -177,8 +177,7 @@ BadHexes badHexes(const PointsRef& points, const HexesRef& hexes, const FixedCor
   const ParallelFor& parallelFor, const Progress& progress)
 {
   BadHexes bad;
-  const std::vector<HexQuality> qualities =
-    hexQualities(points, hexes, true, parallelFor, progress);
+  const std::vector<HexQuality> qualities = hexVerdicts(points, hexes, parallelFor, progress);
   for (std::size_t h = 0; h < qualities.size(); ++h)
   {
     if (isBad(qualities[h]))
@@ -221,7 +220,7 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
 {
   UntangledHexes result;
   result.points = points;
-  const FixedCorners corners = fixedCorners(points, hexes, fixed);
+  const FixedCorners corners = fixedCorners(points, hexes, fixed, parallelFor);
   BadHexes bad =
     badHexes(points, hexes, corners, parallelFor, progressPart(progress, 0.0, Judging));
   result.before = result.after = bad.count;

@@ -9,9 +9,8 @@ namespace hexsweep
 std::vector<Index> uncertifiedHexes(const SweepCage& cage, const PointsRef& points,
   const ParallelFor& parallelFor, const Progress& progress)
 {
-  const Hexes hexes = sweptHexes(cage.quads, points, cage.boundary.numberOfLayers());
-  const std::vector<HexQuality> qualities =
-    hexQualities(points, hexes, true, parallelFor, progress);
+  const Hexes hexes = sweptHexes(cage.quads, points, cage.boundary.numberOfLayers(), parallelFor);
+  const std::vector<HexQuality> qualities = hexVerdicts(points, hexes, parallelFor, progress);
   std::vector<Index> bad;
   for (std::size_t h = 0; h < qualities.size(); ++h)
   {

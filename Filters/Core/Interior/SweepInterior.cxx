@@ -195,8 +195,7 @@ public:
     const Stopwatch watch;
     Candidate& best = *this->Best;
     const HexQualitySummary quality = best.quality;
-    const Index curable = best.curable;
-    std::vector<HexQuality> qualities = std::move(best.qualities);
+    best.qualities = std::vector<HexQuality>(); // measured again in any case, and large
     PolishedHexes polished = polishHexes(best.points, best.hexes, this->Fixed,
       this->Options.polishingRounds, this->Options.parallelFor, progressPart(progress, 0.0, 0.95));
     std::swap(best.points, polished.points);
@@ -205,9 +204,7 @@ public:
     if (best.quality.meanScaledJacobian < quality.meanScaledJacobian)
     {
       best.points = std::move(polished.points);
-      best.quality = quality;
-      best.qualities = std::move(qualities);
-      best.curable = curable;
+      this->measure(best, {});
     }
     else
     {
@@ -247,7 +244,7 @@ public:
     {
       return;
     }
-    best.fixed = fixedCorners(best.points, best.hexes, this->Fixed);
+    best.fixed = fixedCorners(best.points, best.hexes, this->Fixed, this->Options.parallelFor);
     this->measure(best, progressPart(progress, 0.0, 0.1));
     this->finish("Rounding", best.quality.notCertified, before - best.quality.notCertified, watch);
     if (this->Options.ensureValid && best.curable > 0 && best.quality.notCertified > before)
@@ -293,6 +290,7 @@ private:
     }
     const Stopwatch watch;
     const Index before = candidate.quality.notCertified;
+    candidate.qualities = std::vector<HexQuality>();
     RaisedMinimum raised = raiseMinimum(candidate.points, candidate.hexes, this->Fixed,
       (1.0 - Rounding) * candidate.fixed.floor,
       candidate.curable > 0 ? Certificates::MayGo : Certificates::Stay, this->Options.parallelFor,
@@ -366,9 +364,10 @@ private:
     if (this->Options.ensureValid || this->Options.polishingRounds > 0)
     {
       reportProgress(progress, 0.8);
-      candidate.hexes =
-        sweptHexes(this->Cage.quads, candidate.points, this->Cage.boundary.numberOfLayers());
-      candidate.fixed = fixedCorners(candidate.points, candidate.hexes, this->Fixed);
+      candidate.hexes = sweptHexes(this->Cage.quads, candidate.points,
+        this->Cage.boundary.numberOfLayers(), this->Options.parallelFor);
+      candidate.fixed =
+        fixedCorners(candidate.points, candidate.hexes, this->Fixed, this->Options.parallelFor);
       reportProgress(progress, 0.85);
       this->measure(candidate, progressPart(progress, 0.85, 1.0));
     }

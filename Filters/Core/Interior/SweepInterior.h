@@ -34,8 +34,8 @@ struct InteriorOptions
 {
   /// Untangle locally what is not valid.
   bool ensureValid = true;
-  /// Polish what is valid: this often round the mesh.
-  int polishingRounds = 6;
+  /// Polish what is valid: at the most this often round the mesh.
+  int polishingRounds = 4;
   /// Hand on what was found out about the result's hexahedra, so that nobody needs to judge them
   /// again: three numbers a hexahedron.
   bool keepQualities = false;

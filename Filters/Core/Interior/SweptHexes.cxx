@@ -69,19 +69,19 @@ bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index number
   return sums.sum() >= 0.0;
 }
 
-Hexes sweptHexes(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers)
+Hexes sweptHexes(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers,
+  const ParallelFor& parallelFor)
 {
-  const bool upward = sourceIsBottom(quads, points, numberOfLayers);
+  const bool upward = sourceIsBottom(quads, points, numberOfLayers, parallelFor);
   const Index n = points.rows() / (numberOfLayers + 1);
   const Index m = quads.rows();
   Hexes hexes(numberOfLayers * m, 8);
-  for (Index k = 0; k < numberOfLayers; ++k)
-  {
+  forPieces(parallelFor, numberOfLayers, 1, [&](Index k, Index) {
     const Index bottom = (upward ? k : k + 1) * n;
     const Index top = (upward ? k + 1 : k) * n;
     hexes.block(k * m, 0, m, 4) = quads.array() + bottom;
     hexes.block(k * m, 4, m, 4) = quads.array() + top;
-  }
+  });
   return hexes;
 }
 

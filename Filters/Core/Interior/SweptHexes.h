@@ -37,7 +37,8 @@ bool sourceIsBottom(const QuadsRef& quads, const PointsRef& points, Index number
  * @return L m x 8.
  * @throw InvalidInput as sourceIsBottom().
  */
-Hexes sweptHexes(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers);
+Hexes sweptHexes(const QuadsRef& quads, const PointsRef& points, Index numberOfLayers,
+  const ParallelFor& parallelFor = {});
 
 /**
  * Checks that two quad meshes have the same cells: quad j of both has the same points in the same

@@ -54,6 +54,8 @@ def parse(words):
         options.settings = {k: v for k, v in options.settings.items() if k in _OF_FACES}
     elif not options.output:
         parser.error("name the file to write: -o part.vtu")
+    elif options.threads is not None and options.threads < 1:
+        parser.error(f"--threads {options.threads}: give 1 or more, or leave it out")
     elif os.path.splitext(options.output)[1].lower() not in WRITTEN:
         parser.error(f"{options.output}: only {', '.join(WRITTEN)} files are written")
     return options
@@ -80,6 +82,9 @@ def _parser(only_faces):
 
 
 def _add_meshing(parser):
+    parser.add_argument(
+        "--threads", type=int, metavar="N", help="how many to use (VTK's choice); the mesh is the same"
+    )
     parser.add_argument("-o", "--output", metavar="FILE", help="what to write")
     parser.add_argument("--source", type=int, nargs="+", metavar="ID", help="the source faces (found)")
     parser.add_argument("--target", type=int, nargs="+", metavar="ID", help="the target faces (found)")

@@ -2,6 +2,7 @@
 """From the file of a solid to the file of a mesh."""
 
 from .. import vtkOneToOneSweep
+from . import threads
 from .faces import choose_face_ids
 from .messages import Refusal, VtkMessages
 from .output import NewFile
@@ -28,6 +29,8 @@ def run(options):
 
 def _mesh(options, new):
     """Writes the new file. @return whether all hexahedra are certified, and a line about them."""
+    if options.threads:
+        threads.use(options.threads)
     messages = VtkMessages()
     sweep = vtkOneToOneSweep()
     sweep.SetSolidData(read(options.solid, messages))

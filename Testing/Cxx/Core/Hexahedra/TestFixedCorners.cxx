@@ -202,3 +202,36 @@ TEST(FixedCornersOfHexes, TheSameAtAnySizeAndWhereverTheyAre)
     EXPECT_EQ(hexesOf(conflictsOf(placed)), expected);
   }
 }
+
+TEST(FixedCornersOfHexes, TheOrderOfTheWorkDoesNotMatter)
+{
+  // More than one piece of work; folds at the nodes that were drawn over others.
+  HexBlock block = test::makeBlock(36);
+  for (Index i = 0; i < block.points.rows(); i += 7)
+  {
+    if (block.fixed[static_cast<std::size_t>(i)])
+    {
+      block.points.row(i) += Eigen::RowVector3d(1.3, 0.8, -0.7);
+    }
+  }
+  Index most = 0;
+  const auto backwards = [&](Index count, const std::function<void(Index)>& call) {
+    most = std::max(most, count);
+    for (Index i = count - 1; i >= 0; --i)
+    {
+      call(i);
+    }
+  };
+  const FixedCorners alone = conflictsOf(block);
+  const FixedCorners shared =
+    hexsweep::fixedCorners(block.points, block.hexes, block.fixed, backwards);
+  EXPECT_GT(most, 1);
+  EXPECT_GT(alone.conflicts.size(), 50u);
+  EXPECT_EQ(alone.floor, shared.floor);
+  ASSERT_EQ(hexesOf(alone), hexesOf(shared));
+  for (std::size_t i = 0; i < alone.conflicts.size(); ++i)
+  {
+    EXPECT_EQ(alone.conflicts[i].node, shared.conflicts[i].node);
+    EXPECT_EQ(alone.conflicts[i].cause, shared.conflicts[i].cause);
+  }
+}

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums and slopes of single nodes against Verdict's definition and against differences.
 #include "Core/Hexahedra/HexNodeMoves.h"
 
-#include "Core/Hexahedra/HexCorner.h"
 #include "Support/HexBlocks.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,40 +12,9 @@ namespace
 {
 using hexsweep::HexLoss;
 using hexsweep::HexNodeMoves;
-using hexsweep::HexNodeSum;
 using test::Index;
 
 constexpr HexLoss Losses[] = { {}, { 7.0, 0.2 }, { 40.0, 0.9 } };
-
-/// The loss over the corners that have `moving` as their node or at the end of an edge.
-double plainSum(const hexsweep::HexCorners& corners, int moving, const HexLoss& loss)
-{
-  double sum = 0.0;
-  for (int c = 0; c < 8; ++c)
-  {
-    const int* to = hexsweep::HexCornerNeighbors[c];
-    if (c == moving || std::find(to, to + 3, moving) != to + 3)
-    {
-      const auto place = [&](int i) -> Eigen::RowVector3d { return corners.row(i); };
-      sum += loss.at(hexsweep::hexFrame(place, c).scaledDeterminant()).value;
-    }
-  }
-  return sum;
-}
-
-hexsweep::HexCorners shakenCube(unsigned seed)
-{
-  const test::HexBlock block = test::makeBlock(1);
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> shift(-0.6, 0.6);
-  hexsweep::HexCorners corners;
-  for (int i = 0; i < 8; ++i)
-  {
-    corners.row(i) = block.points.row(block.hexes(0, i)) +
-      Eigen::RowVector3d(shift(generator), shift(generator), shift(generator));
-  }
-  return corners;
-}
 }
 
 TEST(HexNodeMoves, LossesMatchDifferencesAndFall)
@@ -64,36 +30,6 @@ TEST(HexNodeMoves, LossesMatchDifferencesAndFall)
       EXPECT_NEAR(at.slope, slope, 1e-6 * (1.0 + std::abs(slope)));
       const double curvature = (loss.at(x + H).slope - loss.at(x - H).slope) / (2.0 * H);
       EXPECT_NEAR(at.curvature, curvature, 1e-5 * (1.0 + curvature));
-    }
-  }
-}
-
-TEST(HexNodeMoves, SumsMatchTheDefinitionAndGradientsDifferences)
-{
-  constexpr double H = 1e-6;
-  for (unsigned seed = 1; seed <= 30; ++seed)
-  {
-    const hexsweep::HexCorners corners = shakenCube(seed);
-    const int moving = static_cast<int>(seed % 8);
-    for (const HexLoss& loss : Losses)
-    {
-      HexNodeSum sum;
-      sum.add(corners, moving, loss);
-      const double value = plainSum(corners, moving, loss);
-      EXPECT_NEAR(sum.value, value, 1e-11 * value);
-      EXPECT_NEAR(HexNodeSum::valueOf(corners, moving, loss), value, 1e-11 * value);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        hexsweep::HexCorners before = corners;
-        hexsweep::HexCorners after = corners;
-        before(moving, axis) -= H;
-        after(moving, axis) += H;
-        const double slope =
-          (plainSum(after, moving, loss) - plainSum(before, moving, loss)) / (2.0 * H);
-        EXPECT_NEAR(sum.gradient[axis], slope, 1e-5 * (1.0 + std::abs(slope) + value));
-      }
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(sum.curvature);
-      EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-10 * eigen.eigenvalues().maxCoeff());
     }
   }
 }
@@ -118,6 +54,32 @@ TEST(HexNodeMoves, GroupsShareNoHexAndHoldAllFreeNodes)
     EXPECT_LE(*std::max_element(visits.begin(), visits.end()), 1);
   }
   EXPECT_EQ(nodes, 64u);
+}
+
+TEST(HexNodeMoves, NodesOfGoodHexesAreInNoGroup)
+{
+  const test::HexBlock block = test::makeBlock(6);
+  test::Points points = block.points;
+  const Index shifted = 3 * 49 + 2 * 7 + 2; // inside
+  points(shifted, 0) += 0.3;
+  const HexNodeMoves moves(
+    points, block.hexes, block.fixed, hexsweep::hexVerdicts(points, block.hexes), 1.0 - 1e-9, {});
+  std::vector<bool> grouped(block.fixed.size(), false);
+  for (const std::vector<Index>& group : moves.groups())
+  {
+    for (const Index node : group)
+    {
+      grouped[static_cast<std::size_t>(node)] = true;
+    }
+  }
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    // Those that share a cube with it.
+    const bool near = (block.points.row(i) - block.points.row(shifted)).cwiseAbs().maxCoeff() < 1.5;
+    EXPECT_EQ(
+      grouped[static_cast<std::size_t>(i)], near && !block.fixed[static_cast<std::size_t>(i)])
+      << i;
+  }
 }
 
 TEST(HexNodeMoves, AStepLowersTheSumAndKeepsTheFloor)

@@ -92,6 +92,24 @@ TEST(HexPolishing, GoodHexesStayAsTheyAre)
   EXPECT_EQ(result.movedNodes, 0);
 }
 
+TEST(HexPolishing, StopsWhereNoNodeGains)
+{
+  const HexBlock block = test::makeBlock(5);
+  const Points start = test::shaken(block, 0.3, 7);
+  Index calls = 0;
+  const auto counted = [&calls](Index count, const std::function<void(Index)>& call) {
+    ++calls;
+    backwards(count, call);
+  };
+  const auto few = polishHexes(start, block.hexes, block.fixed, 60, counted);
+  const Index needed = calls;
+  calls = 0;
+  const auto many = polishHexes(start, block.hexes, block.fixed, 100000, counted);
+  EXPECT_EQ(few.points, many.points);
+  EXPECT_EQ(few.movedNodes, many.movedNodes);
+  EXPECT_EQ(calls, needed);
+}
+
 TEST(HexPolishing, CanBeAborted)
 {
   const HexBlock block = test::makeBlock(4);

@@ -272,3 +272,33 @@ TEST(HexQualities, MeshAndThreadsGiveTheSameBits)
     ASSERT_EQ(alone[h].validity, mesh[h].validity) << h;
   }
 }
+
+TEST(HexQualities, VerdictsAreThoseOfTheCertificate)
+{
+  const int count = 5001;
+  const hexsweep::Points corners = mixedHexes(count);
+  hexsweep::Hexes hexes(count, 8);
+  std::vector<const double*> pointers;
+  for (hexsweep::Index i = 0; i < hexes.size(); ++i)
+  {
+    hexes(i / 8, i % 8) = i;
+    pointers.push_back(corners.data() + 3 * i);
+  }
+  const auto certified = hexsweep::hexQualities(corners);
+  const auto verdicts = hexsweep::hexVerdicts(corners, hexes);
+  std::vector<hexsweep::HexQuality> alone(count);
+  hexsweep::hexVerdicts(pointers.data(), count, alone.data());
+  for (std::size_t h = 0; h < certified.size(); ++h)
+  {
+    for (const auto& verdict : { verdicts[h], alone[h] })
+    {
+      ASSERT_TRUE(isSame(verdict.scaledJacobian, certified[h].scaledJacobian)) << h;
+      ASSERT_EQ(verdict.validity, certified[h].validity) << h;
+      ASSERT_EQ(verdict.insideOut, certified[h].insideOut) << h;
+      // A bound all the same, where there is one.
+      const auto jacobians =
+        hexsweep::cornerJacobians(corners.middleRows<8>(8 * static_cast<hexsweep::Index>(h)));
+      ASSERT_FALSE(verdict.jacobianLowerBound > jacobians.minCoeff()) << h;
+    }
+  }
+}

@@ -27,6 +27,13 @@ TEST(SweptHexes, NumberingFollowsTheSourceQuads)
   const Index n = sweep.source.rows();
   const Index m = sweep.quads.rows();
   ASSERT_EQ(hexes.rows(), 4 * m);
+  const auto backwards = [](Index count, const std::function<void(Index)>& call) {
+    for (Index i = count - 1; i >= 0; --i)
+    {
+      call(i);
+    }
+  };
+  EXPECT_EQ(hexsweep::sweptHexes(sweep.quads, sweep.layers, 4, backwards), hexes);
   for (Index k = 0; k < 4; ++k)
   {
     for (Index j = 0; j < m; ++j)

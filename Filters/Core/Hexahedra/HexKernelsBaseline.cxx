@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Hexahedra/HexKernelsBody.h"
+
+namespace hexsweep
+{
+extern const HexKernels hexKernelsBaseline;
+const HexKernels hexKernelsBaseline = makeHexKernels("baseline");
+}

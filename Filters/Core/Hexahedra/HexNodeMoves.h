@@ -7,7 +7,7 @@
 #define hexsweep_HexNodeMoves_h
 
 #include "Core/Common/ParallelFor.h"
-#include "Core/Hexahedra/HexPatches.h"
+#include "Core/Common/CellPatches.h"
 #include "Core/Hexahedra/HexQuality.h"
 
 #include <optional>
@@ -67,7 +67,7 @@ public:
   const std::vector<std::vector<Index>>& groups() const { return this->Groups; }
   const std::vector<HexQuality>& qualities() const { return this->Qualities; }
   const HexesRef& hexes() const { return this->Cells; }
-  const HexesAtNodes& atNodes() const { return this->AtNodes; }
+  const CellsAtNodes& atNodes() const { return this->AtNodes; }
 
   /// Least scaled Jacobian of the hexahedra at a node; 1 at the most.
   double leastAt(Index node) const;
@@ -97,7 +97,7 @@ private:
 
   Points Places;
   HexesRef Cells;
-  HexesAtNodes AtNodes;
+  CellsAtNodes AtNodes;
   std::vector<HexQuality> Qualities;
   std::vector<std::vector<Index>> Groups;
 };

@@ -29,6 +29,8 @@ constexpr double LeastRate = 0.3;    // by which the regularisation falls in a r
 constexpr int PatchRings = 2;
 /// Of quads, by number, in patches: with more the whole is no dearer.
 constexpr double MostInPatches = 0.5;
+/// Fewer quads are cheap together, and come out more even.
+constexpr Index FewQuads = 1000;
 /// Scaled Jacobian below which corners that are upright are opened further.
 constexpr double Thin = 0.1;
 constexpr int OpeningRounds = 3;
@@ -236,6 +238,10 @@ ImprovedQuads untangleQuads(
   if (local.quality.inverted == 0 || cap.freeNodes().empty())
   {
     return local;
+  }
+  if (cap.quads().rows() < FewQuads)
+  {
+    return untangleTogether(cap, points, source, progress);
   }
   const PatchWork patches(cap, source);
   patches.run(

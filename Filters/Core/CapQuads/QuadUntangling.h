@@ -42,8 +42,8 @@ ImprovedQuads untangleTogether(const CapCorners& cap, const Points& points, cons
  * The same where it is needed: the quads with inverted corners and two rings of neighbours, in
  * pieces that touch no other, each for itself and towards rectangles. All else stays. Then corners
  * with a scaled Jacobian below 0.1 are opened in the same way, by three descents, so that nothing
- * is left on the verge. Where a piece is not cured, or the pieces are more than half of the quads,
- * all quads are untangled together, from the start.
+ * is left on the verge. Of fewer than 1000 quads, where a piece is not cured, or the pieces are
+ * more than half of the quads, all quads are untangled together, from the start.
  *
  * Ten times as fast as all together where 7 % of 10,000 quads are inverted.
  */

@@ -24,9 +24,9 @@ CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
   const TriangleMesh& surface, const std::vector<ColumnDirection>& columns, const PointsRef& start,
   LeaningColumns leaning)
   : CapQuads(quads)
-  , Surface(surface)
+  , Surface(std::make_shared<SurfaceSearch>(surface))
 {
-  const Points normals = this->Surface.normals(start);
+  const Points normals = this->Surface->normals(start);
   double area = 0.0;
   for (Index q = 0; q < quads.rows(); ++q)
   {
@@ -71,6 +71,42 @@ CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
   }
 }
 
+CapCorners::CapCorners(const CapCorners& whole, const CellPatch& patch)
+  : CapQuads(patch.corners)
+  , Surface(whole.Surface)
+  , Side(whole.Side)
+  , ColumnNormals(whole.ColumnNormals)
+  , ColumnHeights(whole.ColumnHeights)
+{
+  for (std::size_t q = 0; q < patch.cells.size(); ++q)
+  {
+    const auto nodes = this->CapQuads.row(static_cast<Index>(q));
+    // The whole's corners stand in the order of its quads.
+    for (auto found = std::lower_bound(whole.Corners.begin(), whole.Corners.end(), patch.cells[q],
+           [](const QuadCorner&corner, Index quad) { return corner.quad < quad; });
+         found != whole.Corners.end() && found->quad == patch.cells[q]; ++found)
+    {
+      QuadCorner corner = *found;
+      corner.quad = static_cast<Index>(q);
+      corner.movable = false;
+      for (Index i = 0; i < 3; ++i)
+      {
+        constexpr Index Steps[3] = { 0, 1, 3 };
+        corner.node[i] = nodes[(corner.corner + Steps[i]) % 4];
+        corner.movable = corner.movable || patch.free[static_cast<std::size_t>(corner.node[i])];
+      }
+      this->Corners.push_back(corner);
+    }
+  }
+  for (std::size_t i = 0; i < patch.free.size(); ++i)
+  {
+    if (patch.free[i])
+    {
+      this->FreeNodes.push_back(static_cast<Index>(i));
+    }
+  }
+}
+
 std::vector<Index> CapCorners::setColumns(
   const std::vector<ColumnDirection>& columns, const PointsRef& normals)
 {
@@ -98,21 +134,28 @@ std::vector<Index> CapCorners::setColumns(
 
 SurfacePlaces CapCorners::place(const PointsRef& points) const
 {
-  SurfacePlaces places = this->Surface.project(points);
+  SurfacePlaces places = this->Surface->project(points);
   places.normals *= this->Side;
   return places;
 }
 
 Points CapCorners::normals(const PointsRef& points) const
 {
-  return this->Side * this->Surface.normals(points);
+  return this->Side * this->Surface->normals(points);
 }
 
 SurfacePlace CapCorners::place(const Eigen::RowVector3d& point, Index start) const
 {
-  SurfacePlace place = this->Surface.project(point, start);
+  SurfacePlace place = this->Surface->project(point, start);
   place.normal *= this->Side;
   return place;
+}
+
+double CapCorners::scaledJacobian(
+  const QuadCorner& corner, const PointsRef& points, const PointsRef& normals) const
+{
+  return cornerScaledJacobian(points.row(corner.node[1]) - points.row(corner.node[0]),
+    points.row(corner.node[2]) - points.row(corner.node[0]), this->normal(corner, normals));
 }
 
 CornerQuality CapCorners::measure(const PointsRef& points) const
@@ -122,9 +165,7 @@ CornerQuality CapCorners::measure(const PointsRef& points) const
   CornerQuality quality;
   for (const QuadCorner& corner : this->Corners)
   {
-    const double jacobian =
-      cornerScaledJacobian(points.row(corner.node[1]) - points.row(corner.node[0]),
-        points.row(corner.node[2]) - points.row(corner.node[0]), this->normal(corner, normals));
+    const double jacobian = this->scaledJacobian(corner, points, normals);
     (corner.movable ? quality.inverted : quality.fixedInverted) += jacobian > 0.0 ? 0 : 1;
     const double value = std::isnan(jacobian) ? -1.0 : jacobian;
     if (corner.movable)
@@ -138,5 +179,20 @@ CornerQuality CapCorners::measure(const PointsRef& points) const
   }
   quality.mean = least.mean();
   return quality;
+}
+
+std::vector<Index> CapCorners::quadsBelow(double floor, const PointsRef& points) const
+{
+  const Points normals = this->normals(points);
+  std::vector<Index> quads;
+  for (const QuadCorner& corner : this->Corners)
+  {
+    if (corner.movable && (quads.empty() || quads.back() != corner.quad) &&
+      !(this->scaledJacobian(corner, points, normals) > floor))
+    {
+      quads.push_back(corner.quad);
+    }
+  }
+  return quads;
 }
 }

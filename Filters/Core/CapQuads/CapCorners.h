@@ -6,7 +6,10 @@
 #ifndef hexsweep_CapCorners_h
 #define hexsweep_CapCorners_h
 
+#include "Core/Common/CellPatches.h"
 #include "Core/Geometry/SurfaceSearch.h"
+
+#include <memory>
 
 namespace hexsweep
 {
@@ -70,6 +73,12 @@ public:
     const std::vector<ColumnDirection>& columns, const PointsRef& start,
     LeaningColumns leaning = LeaningColumns::PassedOver);
 
+  /**
+   * Those of some of the quads, in the patch's node numbers: on the same surface, with the same
+   * side up and the same columns.
+   */
+  CapCorners(const CapCorners& whole, const CellPatch& patch);
+
   const std::vector<QuadCorner>& corners() const { return this->Corners; }
   const std::vector<Index>& freeNodes() const { return this->FreeNodes; }
   const Quads& quads() const { return this->CapQuads; }
@@ -98,13 +107,18 @@ public:
 
   CornerQuality measure(const PointsRef& points) const;
 
+  /// Quads with a movable corner whose scaled Jacobian is not above the floor, rising.
+  std::vector<Index> quadsBelow(double floor, const PointsRef& points) const;
+
 private:
+  double scaledJacobian(
+    const QuadCorner& corner, const PointsRef& points, const PointsRef& normals) const;
   /// @param normals n x 3, upward. @return the column of each node, or -1.
   std::vector<Index> setColumns(
     const std::vector<ColumnDirection>& columns, const PointsRef& normals);
 
   Quads CapQuads;
-  SurfaceSearch Surface;
+  std::shared_ptr<const SurfaceSearch> Surface;
   double Side = 1.0;
   std::vector<QuadCorner> Corners;
   std::vector<Index> FreeNodes;

@@ -39,31 +39,44 @@ Eigen::Matrix3d spaceFrame(const Eigen::RowVector3d& normal)
   return frame;
 }
 
-/// A term that does not look at what is along the third axis.
-ColumnCornerTerm inSpace(const CornerTerm& plane)
+/// The edges of a corner are `next - node` and `previous - node`: what its nodes 0, 1, 2 feel of a
+/// curvature by both edges in D dimensions. Of the blocks (i, j) those with i <= j.
+template <int D>
+struct NodeCurvature
 {
-  ColumnCornerTerm term{ plane.value, CornerEdges::Zero(), Eigen::Matrix<double, 6, 6>::Zero() };
-  term.gradient.topRows<2>() = plane.gradient;
-  for (int e = 0; e < 2; ++e)
+  using Block = Eigen::Matrix<double, D, D>;
+  Block blocks[3][3];
+
+  explicit NodeCurvature(const Eigen::Matrix<double, 2 * D, 2 * D>& byEdges)
   {
-    for (int f = 0; f < 2; ++f)
-    {
-      term.curvature.block<2, 2>(3 * e, 3 * f) = plane.curvature.block<2, 2>(2 * e, 2 * f);
-    }
+    const Block next = byEdges.template topLeftCorner<D, D>();
+    const Block mixed = byEdges.template topRightCorner<D, D>();
+    const Block previous = byEdges.template bottomRightCorner<D, D>();
+    this->blocks[1][1] = next;
+    this->blocks[1][2] = mixed;
+    this->blocks[2][2] = previous;
+    this->blocks[0][1] = -(next + mixed.transpose());
+    this->blocks[0][2] = -(mixed + previous);
+    this->blocks[0][0] = -(this->blocks[0][1] + this->blocks[0][2]);
   }
-  return term;
+};
 }
 
-/// The edges of a corner are `next - node` and `previous - node`: signs of nodes 0, 1, 2 in each.
-constexpr double EdgeSign[3][2] = { { -1.0, -1.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } };
-}
+struct CapDescent::Terms
+{
+  const Term& plane;
+  const Value* value = nullptr; // of the plane's term
+  const ColumnTerm* column = nullptr;
+};
 
 /// Where each corner's blocks go in the Hessian of the free nodes, two unknowns a node.
 struct CapDescent::System
 {
   std::vector<int> Variable; // node -> free node or -1
   SparseMatrix Hessian;
-  std::vector<int> Slots; // 9 a corner: value index of each column of each block's first row
+  /// 18 a corner: value index of the first row of each column of its nine blocks; -1: none.
+  std::vector<int> Slots;
+  std::vector<int> Diagonal; // value indices
   std::optional<MultifrontalSolver> Solver;
 
   /// Newton's step; not a number where the matrix is not positive definite to working accuracy.
@@ -147,6 +160,10 @@ CapDescent::CapDescent(const CapCorners& cap)
       }
     }
   }
+  for (int i = 0; i < static_cast<int>(n); ++i)
+  {
+    system.Diagonal.push_back(system.slot(i / 2, i / 2, i % 2) + i % 2);
+  }
   if (n > 0)
   {
     system.Solver.emplace(system.Hessian, MultifrontalSolver::Kind::Cholesky);
@@ -158,34 +175,37 @@ CapDescent::~CapDescent() = default;
 /// The sum of the terms, about one set of points: steps are taken in their tangent planes.
 struct CapDescent::Energy
 {
-  Energy(const CapCorners& cap, System& equations, const Term& term, const ColumnTerm& columnTerm,
-    const Points& points)
+  Energy(const CapCorners& cap, System& equations, const Terms& terms, const Points& points)
     : Cap(cap)
     , Equations(equations)
-    , PlaneTermOf(term)
-    , ColumnTermOf(columnTerm)
+    , TermsOf(terms)
     , Gradient(2 * static_cast<Index>(cap.freeNodes().size()))
   {
-    const Points normals = cap.place(points).normals;
+    const Points normals = cap.normals(points);
     for (const Index i : cap.freeNodes())
     {
       this->Frames.push_back(tangentFrame(normals.row(i)));
     }
-    for (const QuadCorner& corner : cap.corners())
+    for (std::size_t c = 0; c < cap.corners().size(); ++c)
     {
-      this->Spaces.push_back(spaceFrame(cap.normal(corner, normals)));
+      if (cap.corners()[c].movable)
+      {
+        this->Movable.push_back(c);
+        this->Spaces.push_back(spaceFrame(cap.normal(cap.corners()[c], normals)));
+      }
     }
   }
 
   double valueAt(const Points& at) const
   {
     double sum = 0.0;
-    for (std::size_t c = 0; c < this->Spaces.size(); ++c)
+    for (std::size_t m = 0; m < this->Movable.size(); ++m)
     {
-      if (this->Cap.corners()[c].movable)
-      {
-        sum += this->termOf(c, at).value;
-      }
+      const std::size_t c = this->Movable[m];
+      const CornerEdges edges = this->edges(m, at);
+      sum += this->hasColumnTerm(c) ? (*this->TermsOf.column)(c, edges).value
+        : this->TermsOf.value       ? (*this->TermsOf.value)(c, edges.topRows<2>())
+                                    : this->TermsOf.plane(c, edges.topRows<2>()).value;
     }
     return sum;
   }
@@ -197,13 +217,21 @@ struct CapDescent::Energy
     this->Gradient.setZero();
     double* values = this->Equations.Hessian.valuePtr();
     std::fill(values, values + this->Equations.Hessian.nonZeros(), 0.0);
-    for (std::size_t c = 0; c < this->Spaces.size(); ++c)
+    for (std::size_t m = 0; m < this->Movable.size(); ++m)
     {
-      if (this->Cap.corners()[c].movable)
+      const std::size_t c = this->Movable[m];
+      const CornerEdges edges = this->edges(m, at);
+      if (this->hasColumnTerm(c))
       {
-        const ColumnCornerTerm t = this->termOf(c, at);
+        const ColumnCornerTerm t = (*this->TermsOf.column)(c, edges);
         sum += t.value;
-        this->add(c, t);
+        this->add<3>(m, t.gradient, t.curvature);
+      }
+      else
+      {
+        const CornerTerm t = this->TermsOf.plane(c, edges.topRows<2>());
+        sum += t.value;
+        this->add<2>(m, t.gradient, t.curvature);
       }
     }
     return sum;
@@ -213,10 +241,15 @@ struct CapDescent::Energy
   Eigen::VectorXd step()
   {
     SparseMatrix& hessian = this->Equations.Hessian;
-    const double shift = Damping * hessian.diagonal().mean();
-    for (Index i = 0; i < this->Gradient.size(); ++i)
+    double sum = 0.0;
+    for (const int i : this->Equations.Diagonal)
     {
-      hessian.coeffRef(i, i) += shift;
+      sum += hessian.valuePtr()[i];
+    }
+    const double shift = Damping * sum / static_cast<double>(this->Equations.Diagonal.size());
+    for (const int i : this->Equations.Diagonal)
+    {
+      hessian.valuePtr()[i] += shift;
     }
     return this->Equations.step(this->Gradient);
   }
@@ -235,81 +268,96 @@ struct CapDescent::Energy
   const Eigen::VectorXd& gradient() const { return this->Gradient; }
 
 private:
-  ColumnCornerTerm termOf(std::size_t c, const Points& at) const
+  bool hasColumnTerm(std::size_t c) const
   {
-    const QuadCorner& corner = this->Cap.corners()[c];
+    return this->TermsOf.column && this->Cap.corners()[c].column >= 0;
+  }
+
+  /// Of a movable corner, in its frame.
+  CornerEdges edges(std::size_t m, const Points& at) const
+  {
+    const QuadCorner& corner = this->Cap.corners()[this->Movable[m]];
     CornerEdges edges;
     edges.col(0) = (at.row(corner.node[1]) - at.row(corner.node[0])).transpose();
     edges.col(1) = (at.row(corner.node[2]) - at.row(corner.node[0])).transpose();
-    edges = this->Spaces[c] * edges;
-    return corner.column >= 0 && this->ColumnTermOf
-      ? this->ColumnTermOf(c, edges)
-      : inSpace(this->PlaneTermOf(c, edges.topRows<2>()));
+    return this->Spaces[m] * edges;
   }
 
-  void add(std::size_t c, const ColumnCornerTerm& t)
+  /// Of a movable corner whose term looks at D coordinates of its frame.
+  template <int D>
+  void add(std::size_t m, const Eigen::Matrix<double, D, 2>& gradient,
+    const Eigen::Matrix<double, 2 * D, 2 * D>& curvature)
   {
+    const std::size_t c = this->Movable[m];
     const QuadCorner& corner = this->Cap.corners()[c];
-    CornerEdges turn[3]; // from a node's frame to the corner's
+    Eigen::Matrix<double, D, 2> turn[3]; // from a node's frame to the corner's
+    const Eigen::Matrix<double, D, 1> pull[3] = { -gradient.rowwise().sum(), gradient.col(0),
+      gradient.col(1) };
     int variable[3];
     for (int i = 0; i < 3; ++i)
     {
       variable[i] = this->Equations.Variable[static_cast<std::size_t>(corner.node[i])];
       if (variable[i] >= 0)
       {
-        turn[i] = this->Spaces[c] * this->Frames[static_cast<std::size_t>(variable[i])].transpose();
-        this->Gradient.segment<2>(2 * variable[i]) += turn[i].transpose() *
-          (EdgeSign[i][0] * t.gradient.col(0) + EdgeSign[i][1] * t.gradient.col(1));
+        turn[i] = this->Spaces[m].template topRows<D>() *
+          this->Frames[static_cast<std::size_t>(variable[i])].transpose();
+        this->Gradient.template segment<2>(2 * variable[i]) += turn[i].transpose() * pull[i];
       }
     }
+    const NodeCurvature<D> between(curvature);
     double* values = this->Equations.Hessian.valuePtr();
+    const int* slots = this->Equations.Slots.data() + 18 * c;
     for (int i = 0; i < 3; ++i)
     {
-      for (int j = 0; j < 3; ++j)
+      for (int j = i; j < 3; ++j)
       {
         if (variable[i] < 0 || variable[j] < 0)
         {
           continue;
         }
-        const Eigen::Matrix2d block = turn[i].transpose() * curvatureBetween(t, i, j) * turn[j];
+        const Eigen::Matrix2d block = turn[i].transpose() * (between.blocks[i][j] * turn[j]).eval();
         for (int k = 0; k < 2; ++k)
         {
-          const int slot =
-            this->Equations.Slots[c * 18 + static_cast<std::size_t>(6 * i + 2 * j + k)];
-          values[slot] += block(0, k);
-          values[slot + 1] += block(1, k);
+          double* column = values + slots[6 * i + 2 * j + k];
+          column[0] += block(0, k);
+          column[1] += block(1, k);
+          if (i != j)
+          {
+            double* mirrored = values + slots[6 * j + 2 * i + k];
+            mirrored[0] += block(k, 0);
+            mirrored[1] += block(k, 1);
+          }
         }
       }
     }
   }
 
-  /// Of nodes i and j of a corner, in its frame.
-  static Eigen::Matrix3d curvatureBetween(const ColumnCornerTerm& t, int i, int j)
-  {
-    Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
-    for (int e = 0; e < 2; ++e)
-    {
-      for (int f = 0; f < 2; ++f)
-      {
-        block += EdgeSign[i][e] * EdgeSign[j][f] * t.curvature.block<3, 3>(3 * e, 3 * f);
-      }
-    }
-    return block;
-  }
-
   const CapCorners& Cap;
   System& Equations;
-  const Term& PlaneTermOf;
-  const ColumnTerm& ColumnTermOf;
+  const Terms& TermsOf;
   Eigen::VectorXd Gradient;
   std::vector<TangentFrame> Frames;    // of the free nodes
-  std::vector<Eigen::Matrix3d> Spaces; // of the corners
+  std::vector<std::size_t> Movable;    // corners
+  std::vector<Eigen::Matrix3d> Spaces; // of the movable corners
 };
 
 CapDescent::Result CapDescent::descend(const Points& points, const Term& term, int steps,
   double relativeDecrease, const ColumnTerm& columnTerm) const
 {
-  Energy energy(this->Cap, *this->Equations, term, columnTerm, points);
+  return this->descend(
+    points, Terms{ term, nullptr, columnTerm ? &columnTerm : nullptr }, steps, relativeDecrease);
+}
+
+CapDescent::Result CapDescent::descend(const Points& points, const Term& term, const Value& value,
+  int steps, double relativeDecrease) const
+{
+  return this->descend(points, Terms{ term, &value, nullptr }, steps, relativeDecrease);
+}
+
+CapDescent::Result CapDescent::descend(
+  const Points& points, const Terms& terms, int steps, double relativeDecrease) const
+{
+  Energy energy(this->Cap, *this->Equations, terms, points);
   Result result;
   result.points = points;
   if (this->Cap.freeNodes().empty())

@@ -57,6 +57,9 @@ public:
 
   using ColumnTerm = std::function<ColumnCornerTerm(std::size_t corner, const CornerEdges& edges)>;
 
+  /// The value of the term alone.
+  using Value = std::function<double(std::size_t corner, const Eigen::Matrix2d& edges)>;
+
   /**
    * @param steps at the most; fewer once a step lowers the sum by less than relativeDecrease.
    * @param columnTerm of the corners at columns. Without it they have `term`, as a function of
@@ -65,9 +68,17 @@ public:
   Result descend(const Points& points, const Term& term, int steps, double relativeDecrease,
     const ColumnTerm& columnTerm = {}) const;
 
+  /// The same where a term's value is cheaper than all of it: along a step nothing else is asked.
+  Result descend(const Points& points, const Term& term, const Value& value, int steps,
+    double relativeDecrease) const;
+
 private:
   struct System;
   struct Energy;
+  struct Terms;
+  Result descend(
+    const Points& points, const Terms& terms, int steps, double relativeDecrease) const;
+
   const CapCorners& Cap;
   std::unique_ptr<System> Equations;
 };

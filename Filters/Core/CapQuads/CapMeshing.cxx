@@ -30,7 +30,6 @@ constexpr double MaximumQuads = 50e6;
 /// are as large as squares of the wanted size.
 constexpr double TriangleSize = 2.32;
 constexpr double Growth = 0.4;
-constexpr int PatchRings = 4; // around an inverted quad
 constexpr double DefaultQuads = 1000.0;
 constexpr double MostDefaultQuads = 16000.0;
 constexpr double DefaultLoopEdges = 12.0;
@@ -116,62 +115,6 @@ void divideAtEverySecondPoint(const PointsRef& points, const std::vector<CapCurv
     }
   }
 }
-
-/// Untangles the quads around inverted ones only: the others need no work, and there may be many.
-Points untangledLocally(const TriangleMesh& cap, const QuadMesh& mesh,
-  const std::vector<bool>& fixed, const PointsRef& normals, const Progress& progress)
-{
-  const QuadQuality quality = quadQuality(mesh.points, mesh.quads, normals);
-  if (quality.inverted == 0)
-  {
-    return mesh.points;
-  }
-  std::vector<bool> near(fixed.size(), false);
-  for (Index q = 0; q < mesh.quads.rows(); ++q)
-  {
-    for (Index c = 0; c < 4 && !(quality.scaledJacobian[q] > 0.0); ++c)
-    {
-      near[static_cast<std::size_t>(mesh.quads(q, c))] = true;
-    }
-  }
-  std::vector<Index> patch;
-  for (int ring = 0; ring <= PatchRings; ++ring)
-  {
-    patch.clear();
-    for (Index q = 0; q < mesh.quads.rows(); ++q)
-    {
-      bool touched = false;
-      for (Index c = 0; c < 4; ++c)
-      {
-        touched = touched || near[static_cast<std::size_t>(mesh.quads(q, c))];
-      }
-      if (touched)
-      {
-        patch.push_back(q);
-      }
-    }
-    for (const Index q : patch)
-    {
-      for (Index c = 0; c < 4 && ring < PatchRings; ++c)
-      {
-        near[static_cast<std::size_t>(mesh.quads(q, c))] = true;
-      }
-    }
-  }
-  Quads quads(static_cast<Index>(patch.size()), 4);
-  for (std::size_t k = 0; k < patch.size(); ++k)
-  {
-    quads.row(static_cast<Index>(k)) = mesh.quads.row(patch[k]);
-  }
-  std::vector<bool> still = fixed;
-  for (std::size_t i = 0; i < still.size(); ++i)
-  {
-    still[i] = still[i] || !near[i];
-  }
-  const CapCorners corners(quads, still, cap, {}, mesh.points);
-  return untangleQuads(corners, mesh.points, mesh.points, progress).points;
-}
-
 }
 
 CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& faceIds,
@@ -235,9 +178,10 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
     fixed[static_cast<std::size_t>(node)] = true;
   }
   result.mesh.points = std::move(points);
-  result.mesh.points = untangledLocally(cap, result.mesh, fixed,
-    surface.normals(result.mesh.points), progressPart(progress, 0.5, 0.75));
   const CapCorners corners(result.mesh.quads, fixed, cap, {}, result.mesh.points);
+  result.mesh.points = untangleQuads(
+    corners, result.mesh.points, result.mesh.points, progressPart(progress, 0.5, 0.75))
+                         .points;
   result.mesh.points = polishQuads(
     corners, result.mesh.points, result.mesh.points, {}, progressPart(progress, 0.75, 1.0))
                          .points;

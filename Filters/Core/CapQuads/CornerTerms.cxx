@@ -77,17 +77,26 @@ CornerTerm distortionTerm(
 {
   const Distortion<2> d = distortion<2>(edges * inverseReference, epsilon, VolumeWeight);
   // The columns of the Jacobian are combinations of the edges: its curvature in blocks of them.
-  Eigen::Matrix4d combine = Eigen::Matrix4d::Zero();
-  for (int jacobianColumn = 0; jacobianColumn < 2; ++jacobianColumn)
+  const Eigen::Matrix2d& r = inverseReference;
+  Eigen::Matrix<double, 4, 4> half; // combined on the right
+  for (int edge = 0; edge < 2; ++edge)
   {
-    for (int edge = 0; edge < 2; ++edge)
-    {
-      combine.block<2, 2>(2 * jacobianColumn, 2 * edge) =
-        inverseReference(edge, jacobianColumn) * Eigen::Matrix2d::Identity();
-    }
+    half.middleCols<2>(2 * edge) =
+      r(edge, 0) * d.curvature.leftCols<2>() + r(edge, 1) * d.curvature.rightCols<2>();
   }
-  return { d.value, d.gradient * inverseReference.transpose(),
-    combine.transpose() * d.curvature * combine };
+  CornerTerm term{ d.value, d.gradient * r.transpose(), {} };
+  for (int edge = 0; edge < 2; ++edge)
+  {
+    term.curvature.middleRows<2>(2 * edge) =
+      r(edge, 0) * half.topRows<2>() + r(edge, 1) * half.bottomRows<2>();
+  }
+  return term;
+}
+
+double distortionValueOf(
+  const Eigen::Matrix2d& edges, const Eigen::Matrix2d& inverseReference, double epsilon)
+{
+  return distortionValue<2>(edges * inverseReference, epsilon, VolumeWeight);
 }
 
 CornerTerm jacobianTerm(

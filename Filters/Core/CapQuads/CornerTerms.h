@@ -37,6 +37,10 @@ std::vector<Eigen::Matrix2d> inverseReferences(
 CornerTerm distortionTerm(
   const Eigen::Matrix2d& edges, const Eigen::Matrix2d& inverseReference, double epsilon);
 
+/// Its value alone.
+double distortionValueOf(
+  const Eigen::Matrix2d& edges, const Eigen::Matrix2d& inverseReference, double epsilon);
+
 /// A convex falling function of the corner's scaled Jacobian, the sine of its angle.
 CornerTerm jacobianTerm(
   const Eigen::Matrix2d& edges, const std::function<CurvePoint(double)>& function);

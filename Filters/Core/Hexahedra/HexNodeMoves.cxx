@@ -228,7 +228,7 @@ private:
 
   HexNodeMoves& Moves;
   const HexKernels& Kernels = hexKernels();
-  const HexesAtNodes::Range Around;
+  const CellsAtNodes::Range Around;
   const Index Count;
   const int Batches;
   Scratch<const double*, 8 * UsualHexes> Corners; ///< of each hexahedron, from the node on

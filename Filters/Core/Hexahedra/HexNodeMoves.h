@@ -6,9 +6,9 @@
 #ifndef hexsweep_HexNodeMoves_h
 #define hexsweep_HexNodeMoves_h
 
+#include "Core/Common/CellPatches.h"
 #include "Core/Common/ParallelFor.h"
 #include "Core/Hexahedra/HexLoss.h"
-#include "Core/Hexahedra/HexPatches.h"
 #include "Core/Hexahedra/HexQuality.h"
 
 namespace hexsweep
@@ -42,7 +42,7 @@ public:
   /// See hexVerdicts() for the bounds.
   const std::vector<HexQuality>& qualities() const { return this->Qualities; }
   const HexesRef& hexes() const { return this->Cells; }
-  const HexesAtNodes& atNodes() const { return this->AtNodes; }
+  const CellsAtNodes& atNodes() const { return this->AtNodes; }
 
   /// Least scaled Jacobian of the hexahedra at a node; 1 at the most.
   double leastAt(Index node) const;
@@ -74,7 +74,7 @@ private:
 
   Points Places;
   HexesRef Cells;
-  HexesAtNodes AtNodes;
+  CellsAtNodes AtNodes;
   std::vector<HexQuality> Qualities;
   std::vector<std::vector<Index>> Groups;
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Hexahedra/HexUntangling.h"
 
+#include "Core/Common/CellPatches.h"
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/FoldoverFreeEnergy.h"
 #include "Core/Hexahedra/FixedCorners.h"
-#include "Core/Hexahedra/HexPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ struct CurablePatch
   HexBoxes boxes;
 };
 
-CurablePatch curable(const HexPatch& patch, const HexBoxes& boxes, const FixedCorners& fixed)
+CurablePatch curable(const CellPatch& patch, const HexBoxes& boxes, const FixedCorners& fixed)
 {
   std::vector<Index> rows;
   for (std::size_t c = 0; c < patch.cells.size(); ++c)
@@ -76,7 +76,7 @@ CurablePatch curable(const HexPatch& patch, const HexBoxes& boxes, const FixedCo
   result.boxes.resize(static_cast<Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    result.hexes.row(static_cast<Index>(i)) = patch.hexes.row(rows[i]);
+    result.hexes.row(static_cast<Index>(i)) = patch.corners.row(rows[i]);
     result.boxes.row(static_cast<Index>(i)) =
       boxes.row(patch.cells[static_cast<std::size_t>(rows[i])]);
   }
@@ -228,22 +228,22 @@ UntangledHexes untangleHexes(const PointsRef& points, const HexesRef& hexes, con
   {
     return result;
   }
-  const HexesAtNodes atNodes(hexes, points.rows());
+  const CellsAtNodes atNodes(hexes, points.rows());
   int rings = FirstRings;
   for (int attempt = 0; attempt < Attempts && !bad.curable.empty(); ++attempt, rings *= 2)
   {
-    const std::vector<HexPatch> patches = hexPatches(hexes, atNodes, bad.curable, rings, fixed);
+    const std::vector<CellPatch> patches = cellPatches(hexes, atNodes, bad.curable, rings, fixed);
     const double begin = Judging + (1.0 - Judging) * attempt / Attempts;
     const double end = Judging + (1.0 - Judging) * (attempt + 1) / Attempts;
     const double width = (end - Judging - begin) / static_cast<double>(patches.size());
     double cellsLeft = 0.0;
-    for (const HexPatch& patch : patches)
+    for (const CellPatch& patch : patches)
     {
       cellsLeft += static_cast<double>(patch.cells.size());
     }
     for (std::size_t p = 0; p < patches.size(); ++p)
     {
-      const HexPatch& patch = patches[p];
+      const CellPatch& patch = patches[p];
       const double cells = static_cast<double>(patch.cells.size());
       const double share = cells / cellsLeft * (untanglingBudget(hexes.rows()) - result.work);
       cellsLeft -= cells;

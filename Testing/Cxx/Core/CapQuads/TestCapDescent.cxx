@@ -212,6 +212,25 @@ TEST(CapDescent, GradientIsThatOfDifferences)
   EXPECT_LT((moves - expected).norm(), 1e-5 * expected.norm());
 }
 
+// The value alone is asked along a step, and leads to the same place.
+TEST(CapDescent, ValuesAloneLeadToTheSamePlace)
+{
+  const FlatCap cap(6, { { 2, 3, 2, 1 } }, 0.6, 5);
+  const CapCorners corners = cap.corners();
+  const CapDescent descent(corners);
+  int values = 0;
+  const auto value = [&](std::size_t, const Eigen::Matrix2d& edges) {
+    ++values;
+    return distorted(edges).value;
+  };
+  const CapDescent::Result full = descent.descend(cap.mesh.points, everywhere(distorted), 5, 0.0);
+  const CapDescent::Result split =
+    descent.descend(cap.mesh.points, everywhere(distorted), value, 5, 0.0);
+  EXPECT_GT(values, 0);
+  EXPECT_EQ(full.points, split.points);
+  EXPECT_EQ(full.after, split.after);
+}
+
 // Corners at nodes with a column count twice, the second time across the column.
 TEST(CapDescent, CornersUnderColumnsCountTwice)
 {

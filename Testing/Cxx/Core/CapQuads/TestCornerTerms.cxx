@@ -55,6 +55,32 @@ TEST(CornerTerms, DistortionMatchesDifferences)
   });
 }
 
+// The curvature in the edges is that in the Jacobian, whose columns are combinations of them.
+TEST(CornerTerms, DistortionOfAWantedCornerIsThatOfTheJacobian)
+{
+  std::mt19937 generator(29);
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    const Eigen::Matrix2d edges = randomMatrix(generator);
+    const Eigen::Matrix2d inverse = randomMatrix(generator);
+    const CornerTerm term = hexsweep::distortionTerm(edges, inverse, 0.3);
+    EXPECT_NEAR(hexsweep::distortionValueOf(edges, inverse, 0.3), term.value, 1e-12 * term.value);
+    const CornerTerm plain =
+      hexsweep::distortionTerm(edges * inverse, Eigen::Matrix2d::Identity(), 0.3);
+    const Eigen::Matrix2d a = randomMatrix(generator);
+    const Eigen::Matrix2d b = randomMatrix(generator);
+    const auto bilinear = [](const Eigen::Matrix4d& curvature, const Eigen::Matrix2d& u,
+                            const Eigen::Matrix2d& v) {
+      return Eigen::Map<const Eigen::Vector4d>(u.data()).dot(
+        curvature * Eigen::Map<const Eigen::Vector4d>(v.data()));
+    };
+    const Eigen::Matrix2d ja = a * inverse;
+    const Eigen::Matrix2d jb = b * inverse;
+    EXPECT_NEAR(bilinear(term.curvature, a, b), bilinear(plain.curvature, ja, jb),
+      1e-12 * term.curvature.norm() * a.norm() * b.norm());
+  }
+}
+
 TEST(CornerTerms, JacobianMatchesDifferences)
 {
   expectDerivatives(

@@ -273,6 +273,103 @@ TEST(QuadUntangling, FixedCornersSetTheFloor)
   EXPECT_EQ(quads, quadsAtCornersOfSquare(cells));
 }
 
+// A few nodes pulled across their neighbours: all of them are cured together and one by one, and
+// then nothing that is far from them moves.
+TEST(QuadUntangling, LeavesTheRestAlone)
+{
+  for (const Shape& shape : { flat(), threeQuarterSphere() })
+  {
+    const int cells = 36;
+    CapModel cap = model(cells, {}, 0.1, shape, 48);
+    const auto node = [&](int i, int j) { return static_cast<Index>(j * (cells + 1) + i); };
+    const std::vector<std::pair<int, int>> pulled{ { 5, 5 }, { 18, 6 }, { 12, 19 } };
+    for (const auto& [i, j] : pulled)
+    {
+      cap.quads.points.row(node(i, j)) = cap.quads.points.row(node(i + 2, j + 1));
+    }
+    const CapCorners corners = cap.corners();
+    ASSERT_GT(corners.measure(cap.quads.points).inverted, 0);
+    expectUntangled(cap);
+    const ImprovedQuads together = untangleTogether(corners, cap.quads.points, cap.upright);
+    const ImprovedQuads local = untangleQuads(corners, cap.quads.points, cap.upright);
+    EXPECT_EQ(together.quality.inverted, 0);
+    EXPECT_EQ(local.quality.inverted, 0);
+    EXPECT_GT(local.quality.minimum, 0.1);
+    Index moved = 0;
+    for (int j = 0; j <= cells; ++j)
+    {
+      for (int i = 0; i <= cells; ++i)
+      {
+        int near = cells;
+        for (const auto& [a, b] : pulled)
+        {
+          near = std::min(near, std::max(std::abs(i - a), std::abs(j - b)));
+        }
+        const bool stays = local.points.row(node(i, j)) == cap.quads.points.row(node(i, j));
+        moved += stays ? 0 : 1;
+        EXPECT_TRUE(stays || near <= 6) << i << " " << j;
+      }
+    }
+    EXPECT_GT(moved, 20);
+  }
+}
+
+// What a patch's corners are, the whole's are: judged apart and together.
+TEST(QuadUntangling, CornersOfAPatchAreTheWholes)
+{
+  const CapModel cap = model(8, {}, 0.8, threeQuarterSphere(), 24);
+  const Eigen::RowVector3d up(0.2, 0.1, 1.0);
+  const CapCorners whole(cap.quads.quads, cap.fixed, cap.surface, { { 4, up } }, cap.quads.points);
+  const CellsAtNodes atNodes(cap.quads.quads, cap.quads.points.rows());
+  for (const Index start : { 3, 27, 63 })
+  {
+    const CellPatch patch = cellPatches(cap.quads.quads, atNodes, { start }, 1, cap.fixed)[0];
+    const CapCorners part(whole, patch);
+    std::vector<QuadCorner> expected;
+    for (const QuadCorner& corner : whole.corners())
+    {
+      if (std::binary_search(patch.cells.begin(), patch.cells.end(), corner.quad))
+      {
+        expected.push_back(corner);
+      }
+    }
+    ASSERT_EQ(part.corners().size(), expected.size());
+    Index free = 0;
+    for (std::size_t c = 0; c < expected.size(); ++c)
+    {
+      const QuadCorner& corner = part.corners()[c];
+      EXPECT_EQ(patch.cells[static_cast<std::size_t>(corner.quad)], expected[c].quad);
+      EXPECT_EQ(corner.corner, expected[c].corner);
+      EXPECT_EQ(corner.column, expected[c].column);
+      bool movable = false;
+      for (int i = 0; i < 3; ++i)
+      {
+        const auto local = static_cast<std::size_t>(corner.node[i]);
+        EXPECT_EQ(patch.nodes[local], expected[c].node[i]);
+        movable = movable || patch.free[local];
+      }
+      EXPECT_EQ(corner.movable, movable);
+      free += movable ? 1 : 0;
+    }
+    EXPECT_GT(free, 0);
+    EXPECT_EQ(static_cast<Index>(part.freeNodes().size()),
+      std::count(patch.free.begin(), patch.free.end(), true));
+
+    // What counts in the patch counts in the whole, in the same places.
+    Points points(static_cast<Index>(patch.nodes.size()), 3);
+    for (Index i = 0; i < points.rows(); ++i)
+    {
+      points.row(i) = cap.quads.points.row(patch.nodes[static_cast<std::size_t>(i)]);
+    }
+    const std::vector<Index> all = whole.quadsBelow(0.3, cap.quads.points);
+    for (const Index q : part.quadsBelow(0.3, points))
+    {
+      EXPECT_TRUE(
+        std::binary_search(all.begin(), all.end(), patch.cells[static_cast<std::size_t>(q)]));
+    }
+  }
+}
+
 TEST(QuadUntangling, GivesTheSameBitsTwice)
 {
   const CapModel cap = model(10, threeHoles(), 1.0, flat(), 20);

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Pieces of a hexahedral mesh around chosen cells.
+ * @brief Pieces of a mesh of quads or hexahedra around chosen cells.
  */
-#ifndef hexsweep_HexPatches_h
-#define hexsweep_HexPatches_h
+#ifndef hexsweep_CellPatches_h
+#define hexsweep_CellPatches_h
 
 #include "Core/Common/Mesh.h"
 
 namespace hexsweep
 {
-/// The hexahedra at each node, one row after the other.
-class HexesAtNodes
+/// The cells at each node, one row after the other.
+class CellsAtNodes
 {
 public:
-  /// @param hexes m x 8 ids in [0, numberOfPoints). @throw InvalidInput for 2^32 or more.
-  HexesAtNodes(const HexesRef& hexes, Index numberOfPoints);
+  /// @param mesh m x k ids in [0, numberOfPoints), a cell a row. @throw InvalidInput for 2^32 cells
+  /// or more.
+  CellsAtNodes(const FacesRef& mesh, Index numberOfPoints);
 
-  /// Iterable: ids of the hexahedra with that node, rising.
+  /// Iterable: ids of the cells with that node, rising.
   struct Range
   {
     const std::uint32_t* first;
@@ -33,16 +34,16 @@ public:
 
 private:
   std::vector<Index> Begin;
-  std::vector<std::uint32_t> Cells; ///< eight a hexahedron: half the memory of a mesh otherwise
+  std::vector<std::uint32_t> Cells; ///< of hexahedra eight a cell: half the memory of a mesh otherwise
 };
 
 /// A piece of a mesh with node numbers of its own.
-struct HexPatch
+struct CellPatch
 {
   std::vector<Index> cells; ///< numbers in the whole mesh, rising
   std::vector<Index> nodes; ///< rising
-  Hexes hexes;              ///< in the piece's node numbers
-  /// Nodes that may move: not fixed, and all of their hexahedra are in the piece.
+  Faces corners;            ///< of the cells, in the piece's node numbers
+  /// Nodes that may move: not fixed, and all of their cells are in the piece.
   std::vector<bool> free;
 };
 
@@ -50,10 +51,10 @@ struct HexPatch
  * The cells with `rings` rings of neighbours (cells that share a node), in connected pieces:
  * pieces that touch are one.
  *
- * @param cells numbers of hexahedra.
+ * @param cells numbers of cells.
  * @param fixed one entry a node of the mesh.
  */
-std::vector<HexPatch> hexPatches(const HexesRef& hexes, const HexesAtNodes& atNodes,
+std::vector<CellPatch> cellPatches(const FacesRef& mesh, const CellsAtNodes& atNodes,
   const std::vector<Index>& cells, int rings, const std::vector<bool>& fixed);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Hexahedra/HexPatches.h"
+#include "Core/Common/CellPatches.h"
 
 #include "Core/Common/Errors.h"
 
@@ -11,20 +11,20 @@
 
 namespace hexsweep
 {
-HexesAtNodes::HexesAtNodes(const HexesRef& hexes, Index numberOfPoints)
+CellsAtNodes::CellsAtNodes(const FacesRef& mesh, Index numberOfPoints)
   : Begin(static_cast<std::size_t>(numberOfPoints) + 1, 0)
 {
-  if (hexes.rows() > std::numeric_limits<std::uint32_t>::max())
+  if (mesh.rows() > std::numeric_limits<std::uint32_t>::max())
   {
-    throw InvalidInput(std::to_string(hexes.rows()) +
-      " hexahedra are more than can be untangled or polished. Use a coarser mesh, or several.");
+    throw InvalidInput(std::to_string(mesh.rows()) +
+      " cells are more than can be untangled or polished. Use a coarser mesh, or several.");
   }
-  this->Cells.resize(static_cast<std::size_t>(hexes.size()));
-  for (Index h = 0; h < hexes.rows(); ++h)
+  this->Cells.resize(static_cast<std::size_t>(mesh.size()));
+  for (Index h = 0; h < mesh.rows(); ++h)
   {
-    for (int i = 0; i < 8; ++i)
+    for (Index i = 0; i < mesh.cols(); ++i)
     {
-      ++this->Begin[static_cast<std::size_t>(hexes(h, i)) + 1];
+      ++this->Begin[static_cast<std::size_t>(mesh(h, i)) + 1];
     }
   }
   for (std::size_t i = 1; i < this->Begin.size(); ++i)
@@ -32,11 +32,11 @@ HexesAtNodes::HexesAtNodes(const HexesRef& hexes, Index numberOfPoints)
     this->Begin[i] += this->Begin[i - 1];
   }
   std::vector<Index> next(this->Begin.begin(), this->Begin.end() - 1);
-  for (Index h = 0; h < hexes.rows(); ++h)
+  for (Index h = 0; h < mesh.rows(); ++h)
   {
-    for (int i = 0; i < 8; ++i)
+    for (Index i = 0; i < mesh.cols(); ++i)
     {
-      this->Cells[static_cast<std::size_t>(next[static_cast<std::size_t>(hexes(h, i))]++)] =
+      this->Cells[static_cast<std::size_t>(next[static_cast<std::size_t>(mesh(h, i))]++)] =
         static_cast<std::uint32_t>(h);
     }
   }
@@ -47,7 +47,7 @@ namespace
 using CellSet = std::unordered_set<Index>;
 
 CellSet withRings(
-  const HexesRef& hexes, const HexesAtNodes& atNodes, const std::vector<Index>& cells, int rings)
+  const FacesRef& mesh, const CellsAtNodes& atNodes, const std::vector<Index>& cells, int rings)
 {
   CellSet all(cells.begin(), cells.end());
   std::vector<Index> front = cells;
@@ -56,9 +56,9 @@ CellSet withRings(
     std::vector<Index> next;
     for (const Index h : front)
     {
-      for (int i = 0; i < 8; ++i)
+      for (Index i = 0; i < mesh.cols(); ++i)
       {
-        for (const Index other : atNodes[hexes(h, i)])
+        for (const Index other : atNodes[mesh(h, i)])
         {
           if (all.insert(other).second)
           {
@@ -72,17 +72,17 @@ CellSet withRings(
   return all;
 }
 
-HexPatch patchOf(std::vector<Index> cells, const HexesRef& hexes, const HexesAtNodes& atNodes,
+CellPatch patchOf(std::vector<Index> cells, const FacesRef& mesh, const CellsAtNodes& atNodes,
   const std::vector<bool>& fixed)
 {
-  HexPatch patch;
+  CellPatch patch;
   std::sort(cells.begin(), cells.end());
   patch.cells = std::move(cells);
   for (const Index h : patch.cells)
   {
-    for (int i = 0; i < 8; ++i)
+    for (Index i = 0; i < mesh.cols(); ++i)
     {
-      patch.nodes.push_back(hexes(h, i));
+      patch.nodes.push_back(mesh(h, i));
     }
   }
   std::sort(patch.nodes.begin(), patch.nodes.end());
@@ -92,12 +92,12 @@ HexPatch patchOf(std::vector<Index> cells, const HexesRef& hexes, const HexesAtN
   {
     number[patch.nodes[i]] = static_cast<Index>(i);
   }
-  patch.hexes.resize(static_cast<Index>(patch.cells.size()), 8);
+  patch.corners.resize(static_cast<Index>(patch.cells.size()), mesh.cols());
   for (std::size_t c = 0; c < patch.cells.size(); ++c)
   {
-    for (int i = 0; i < 8; ++i)
+    for (Index i = 0; i < mesh.cols(); ++i)
     {
-      patch.hexes(static_cast<Index>(c), i) = number[hexes(patch.cells[c], i)];
+      patch.corners(static_cast<Index>(c), i) = number[mesh(patch.cells[c], i)];
     }
   }
   for (const Index node : patch.nodes)
@@ -111,11 +111,11 @@ HexPatch patchOf(std::vector<Index> cells, const HexesRef& hexes, const HexesAtN
 }
 }
 
-std::vector<HexPatch> hexPatches(const HexesRef& hexes, const HexesAtNodes& atNodes,
+std::vector<CellPatch> cellPatches(const FacesRef& mesh, const CellsAtNodes& atNodes,
   const std::vector<Index>& cells, int rings, const std::vector<bool>& fixed)
 {
-  CellSet left = withRings(hexes, atNodes, cells, rings);
-  std::vector<HexPatch> patches;
+  CellSet left = withRings(mesh, atNodes, cells, rings);
+  std::vector<CellPatch> patches;
   // In the order of the cells: what comes out does not depend on how a set is stored.
   for (const Index start : cells)
   {
@@ -126,9 +126,9 @@ std::vector<HexPatch> hexPatches(const HexesRef& hexes, const HexesAtNodes& atNo
     std::vector<Index> piece{ start };
     for (std::size_t next = 0; next < piece.size(); ++next)
     {
-      for (int i = 0; i < 8; ++i)
+      for (Index i = 0; i < mesh.cols(); ++i)
       {
-        for (const Index other : atNodes[hexes(piece[next], i)])
+        for (const Index other : atNodes[mesh(piece[next], i)])
         {
           if (left.erase(other) > 0)
           {
@@ -137,7 +137,7 @@ std::vector<HexPatch> hexPatches(const HexesRef& hexes, const HexesAtNodes& atNo
         }
       }
     }
-    patches.push_back(patchOf(std::move(piece), hexes, atNodes, fixed));
+    patches.push_back(patchOf(std::move(piece), mesh, atNodes, fixed));
   }
   return patches;
 }

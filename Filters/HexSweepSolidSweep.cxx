@@ -170,7 +170,7 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
     sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
     settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
-    settings.weights, settings.improvement, sized.quads.imprinted, {} };
+    settings.weights, settings.improvement, sized.quads.imprinted, {}, smpFor() };
   return settings.hexes.ensureValid ? makeUnhinderedCage(std::move(input), smpFor(), progress)
                                     : makeSolidCage(input, progress);
 }

@@ -84,7 +84,7 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
   clock.finish("Read");
   const std::vector<SideTube> sides = splitLinkingSides(surface, quads.points, topology.loops);
   const LinkingMesh linking = meshLinkingSides(quads.points, topology.loops, sides, layers,
-    this->MatchTolerance, pipelineProgress(this, 0.1, 0.95));
+    this->MatchTolerance, pipelineProgress(this, 0.1, 0.95), smpFor());
 
   clock.finish("Linking sides");
   auto* output = vtkUnstructuredGrid::GetData(outputs);

@@ -4,6 +4,7 @@
 #include "Core/Common/Describe.h"
 #include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
+#include "Core/Common/StoppablePieces.h"
 #include "Core/Geometry/BoundarySearch.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Linking/LayerSpacing.h"
@@ -223,8 +224,11 @@ std::vector<double> fractionsFor(const LayerRequest& request, Index meshedLayers
 template <typename Columns>
 void layRings(const std::deque<Columns>& columns, const std::vector<double>& fractions,
   const std::vector<Loop>& quadLoops, const std::vector<std::size_t>& sideOf,
-  const Progress& progress, LinkingMesh& result)
+  const Progress& progress, const ParallelFor& parallelFor, LinkingMesh& result)
 {
+  std::vector<SideTubeMesh> meshes(columns.size());
+  forStoppablePieces(parallelFor, progress, static_cast<Index>(columns.size()), 1,
+    [&](Index l, Index) { meshes[at(l)] = columns[at(l)].mesh(fractions); });
   const Index layers = static_cast<Index>(fractions.size()) - 1;
   Index nodes = 0;
   for (const Columns& side : columns)
@@ -237,7 +241,7 @@ void layRings(const std::deque<Columns>& columns, const std::vector<double>& fra
   Index quad = 0;
   for (std::size_t l = 0; l < columns.size(); ++l)
   {
-    const SideTubeMesh side = columns[l].mesh(fractions);
+    const SideTubeMesh& side = meshes[l];
     const Index n = columns[l].size();
     points.middleRows(row, side.nodes.rows()) = side.nodes;
     for (Index k = 0; k <= layers; ++k)
@@ -260,8 +264,8 @@ void layRings(const std::deque<Columns>& columns, const std::vector<double>& fra
     result.quadTriangle.insert(
       result.quadTriangle.end(), side.quadTriangle.begin(), side.quadTriangle.end());
     row += side.nodes.rows();
-    reportProgress(progress, static_cast<double>(l + 1) / static_cast<double>(columns.size()));
   }
+  reportProgress(progress, 1.0);
   result.rings = stackRings(std::move(points), quadLoops, layers);
 }
 }
@@ -320,7 +324,7 @@ std::vector<SideTube> splitLinkingSides(
 
 LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
   const std::vector<SideTube>& sides, const LayerRequest& request, double matchTolerance,
-  const Progress& progress)
+  const Progress& progress, const ParallelFor& parallelFor)
 {
   const PairedLoops paired = pairLoops(quadPoints, quadLoops, sides);
   const double count = static_cast<double>(paired.rings.size());
@@ -349,13 +353,13 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
   }
   result.meanColumnLength = meanColumnLength(columns);
   layRings(columns, fractionsFor(request, meshedLayers, result.meanColumnLength), quadLoops,
-    paired.sideOf, progressPart(progress, 0.8, 1.0), result);
+    paired.sideOf, progressPart(progress, 0.8, 1.0), parallelFor, result);
   return result;
 }
 
 LinkingMesh meshRuledSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
   const std::vector<SideTube>& sides, const LayerRequest& request, const AffineMap& map,
-  const Progress& progress)
+  const Progress& progress, const ParallelFor& parallelFor)
 {
   const PairedLoops paired = pairLoops(quadPoints, quadLoops, sides);
   std::deque<RuledColumns> columns;
@@ -366,7 +370,7 @@ LinkingMesh meshRuledSides(const PointsRef& quadPoints, const std::vector<Loop>&
   LinkingMesh result;
   result.meanColumnLength = meanColumnLength(columns);
   layRings(columns, fractionsFor(request, 0, result.meanColumnLength), quadLoops, paired.sideOf,
-    progress, result);
+    progress, parallelFor, result);
   return result;
 }
 }

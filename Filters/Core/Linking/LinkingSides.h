@@ -6,6 +6,7 @@
 #ifndef hexsweep_LinkingSides_h
 #define hexsweep_LinkingSides_h
 
+#include "Core/Common/ParallelFor.h"
 #include "Core/Geometry/AffineMap.h"
 #include "Core/Linking/LinkingSideColumns.h"
 #include "Core/Linking/LinkingSurface.h"
@@ -64,7 +65,7 @@ std::vector<SideTube> splitLinkingSides(
  */
 LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
   const std::vector<SideTube>& sides, const LayerRequest& request, double matchTolerance = 1e-6,
-  const Progress& progress = {});
+  const Progress& progress = {}, const ParallelFor& parallelFor = {});
 
 /**
  * The same with columns that run straight to their images, see RuledColumns; patches of the sides
@@ -74,7 +75,7 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
  */
 LinkingMesh meshRuledSides(const PointsRef& quadPoints, const std::vector<Loop>& quadLoops,
   const std::vector<SideTube>& sides, const LayerRequest& request, const AffineMap& map,
-  const Progress& progress = {});
+  const Progress& progress = {}, const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -185,7 +185,7 @@ bool sweepToImage(const SolidCageInput& input, const AffineSweep& image, const T
 {
   cage.linking = meshRuledSides(input.source.points, cage.loops,
     solidSides(input.solid, input.topology, input.patches), input.layers, image.map,
-    progressPart(progress, 0.0, 0.4));
+    progressPart(progress, 0.0, 0.4), input.parallelFor);
   stages.finish("Linking sides");
   const std::vector<FixedNode> borders = pinColumns(input.imprinted, cage.linking.rings);
   const RingStack& rings = cage.linking.rings;
@@ -268,7 +268,7 @@ void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
 {
   cage.linking = meshLinkingSides(input.source.points, cage.loops,
     solidSides(input.solid, input.topology, input.patches, input.freeSides), input.layers,
-    input.matchTolerance, progressPart(progress, 0.0, 0.4));
+    input.matchTolerance, progressPart(progress, 0.0, 0.4), input.parallelFor);
   stages.finish("Linking sides");
   SweepProjectionInput projection;
   projection.source = input.source;

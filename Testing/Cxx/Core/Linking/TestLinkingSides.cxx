@@ -523,6 +523,18 @@ TEST(LinkingSides, SplitsASurfaceAndFindsTheSource)
   const auto sides = hexsweep::splitLinkingSides(surface, rings, loops);
   ASSERT_EQ(sides.size(), 2u);
   const LinkingMesh result = hexsweep::meshLinkingSides(rings, loops, sides, layers(3));
+  const auto backwards = [](Index count, const std::function<void(Index)>& call) {
+    EXPECT_EQ(count, 2);
+    for (Index i = count - 1; i >= 0; --i)
+    {
+      call(i);
+    }
+  };
+  const LinkingMesh shared =
+    hexsweep::meshLinkingSides(rings, loops, sides, layers(3), 1e-6, {}, backwards);
+  EXPECT_EQ(shared.rings.points, result.rings.points);
+  EXPECT_EQ(shared.quads, result.quads);
+  EXPECT_EQ(shared.quadTriangle, result.quadTriangle);
   EXPECT_EQ(Points(result.rings.points.topRows(12)), hole);
   for (Index i = 0; i < result.rings.points.rows(); ++i)
   {

@@ -3,6 +3,7 @@
 
 #include "Core/CapQuads/CapDescent.h"
 #include "Core/CapQuads/QuadNodeMoves.h"
+#include "Core/CapQuads/QuadPatchWork.h"
 #include "Core/Common/Errors.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ constexpr double DistortionWeight = 0.05;
 constexpr double DistortionEpsilon = 1e-3;
 constexpr double SharpnessTogether[] = { 10.0, 20.0, 40.0, 80.0 };
 constexpr int MeanRounds = 6;
-constexpr double LeastGain = 1e-3; // of the mean, for another round
+constexpr double LeastGain = 2e-3; // of the mean, for another round
 
 /// Of single nodes.
 constexpr double Sharpness[] = { 20.0, 40.0, 80.0 };
@@ -33,9 +34,12 @@ constexpr int MeanSweeps = 20;
 /// Below it single nodes may be in each other's way: of the sweep cases hole_moves ends at 0.07
 /// instead of 0.15 without the descents together.
 constexpr double LowMinimum = 0.35;
+constexpr double LowRange = 0.1; // above the minimum, of corners that are raised together
+constexpr int PatchRings = 4;    // around them
 
 /// Measured on the sweep cases: 0.6 leaves the mean as it is and costs a third of the minimum.
 constexpr double KeptOfMinimum = 0.9;
+constexpr double KeptOfLow = 0.97;
 /// Of what is kept, to the barrier: nodes that return to the surface need some room.
 constexpr double Room = 0.95;
 
@@ -118,17 +122,21 @@ bool relax(const CapCorners& cap, Together& together, ImprovedQuads& best)
   Points candidate = together.descend(best.points, losses, RelaxingSteps, Relaxed);
   ++best.rounds;
   const CornerQuality quality = cap.measure(candidate);
-  return quality.inverted == 0 && quality.minimum >= best.quality.minimum &&
+  return quality.inverted == 0 && quality.minimum >= Room * best.quality.minimum &&
     quality.mean > best.quality.mean && take(std::move(candidate), quality, best);
 }
 
-void raiseMinimumTogether(
-  const CapCorners& cap, Together& together, const Progress& progress, ImprovedQuads& best)
+ImprovedQuads raiseMinimumTogether(
+  const CapCorners& cap, const Points& points, const PointsRef& source)
 {
-  int number = 0;
+  ImprovedQuads best{ points, cap.measure(points), 0 };
+  if (cap.freeNodes().empty())
+  {
+    return best;
+  }
+  Together together(cap, source, points);
   for (const double k : SharpnessTogether)
   {
-    reportProgress(progress, number++ / static_cast<double>(std::size(SharpnessTogether)));
     ++best.rounds;
     Points candidate =
       together.descend(best.points, sameLoss(cap, { k, best.quality.minimum }, 0.0));
@@ -138,6 +146,7 @@ void raiseMinimumTogether(
       take(std::move(candidate), quality, best);
     }
   }
+  return best;
 }
 
 /// A smooth minimum ever sharper, of single nodes.
@@ -183,7 +192,8 @@ void raiseMeanTogether(const CapCorners& cap, Together& together, const Losses& 
     Points candidate = together.descend(best.points, losses);
     const CornerQuality quality = cap.measure(candidate);
     const double gain = quality.mean - best.quality.mean;
-    if (quality.inverted > 0 || quality.minimum < std::max(losses.floor, losses.onSurface.least) ||
+    if (quality.inverted > 0 ||
+      quality.minimum < std::max(losses.floor, Room * losses.onSurface.least) ||
       !(leastRoom(cap, candidate, losses) >= 0.0) || !(gain > 0.0))
     {
       break;
@@ -227,22 +237,33 @@ ImprovedQuads polishQuads(const CapCorners& cap, const Points& points, const Poi
   reportProgress(progress, 0.0);
   Together together(cap, source, points);
   reportProgress(progress, 0.1);
-  const bool relaxed = relax(cap, together, best);
+  const ImprovedQuads unrelaxed = best;
+  bool relaxed = relax(cap, together, best);
   raiseMinimum(cap, source, parallelFor, progressPart(progress, 0.3, 0.4), best);
+  if (best.quality.minimum < given)
+  {
+    best = unrelaxed;
+    relaxed = false;
+    raiseMinimum(cap, source, parallelFor, progressPart(progress, 0.4, 0.4), best);
+  }
   const bool low = best.quality.minimum < LowMinimum;
   if (low)
   {
-    raiseMinimumTogether(cap, together, progressPart(progress, 0.4, 0.65), best);
+    const double least = best.quality.minimum;
+    QuadPatchWork(cap, source)
+      .run(best, std::max(least + LowRange, 2.0 * least), PatchRings, 1.0, raiseMinimumTogether,
+        progressPart(progress, 0.4, 0.65));
     raiseMinimum(cap, source, parallelFor, progressPart(progress, 0.65, 0.7), best);
   }
 
   const double kept = best.quality.minimum;
-  const auto barrier = [=](double part) { return Room * std::max(given, part * kept); };
-  Losses losses = sameLoss(cap, { 0.0, barrier(KeptOfMinimum) }, given);
+  const double part = low ? KeptOfLow : KeptOfMinimum;
+  const auto barrier = [=](double share) { return Room * std::max(given, share * kept); };
+  Losses losses = sameLoss(cap, { 0.0, barrier(part) }, given);
   for (std::size_t c = 0; c < losses.atColumns.size(); ++c)
   {
     losses.atColumns[c].least =
-      barrier(1.0 - (1.0 - KeptOfMinimum) * cap.columnHeight(static_cast<Index>(c)));
+      barrier(1.0 - (1.0 - part) * cap.columnHeight(static_cast<Index>(c)));
   }
   if (low || !relaxed)
   {

@@ -2,6 +2,7 @@
 #include "Core/CapQuads/QuadUntangling.h"
 
 #include "Core/CapQuads/CornerTerms.h"
+#include "Core/CapQuads/QuadPatchWork.h"
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/FoldoverFreeEnergy.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 
@@ -77,16 +77,6 @@ CapDescent::Result descend(const CapDescent& descent, const Points& points,
     NewtonSteps, Settled);
 }
 
-Points rowsOf(const PointsRef& points, const std::vector<Index>& rows)
-{
-  Points picked(static_cast<Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    picked.row(static_cast<Index>(i)) = points.row(rows[i]);
-  }
-  return picked;
-}
-
 /// One wanted shape after the other, until all corners are upright.
 ImprovedQuads untangleTowards(const std::vector<ReferenceShape>& shapes, const CapCorners& cap,
   const Points& points, const PointsRef& source, const Progress& progress)
@@ -135,68 +125,6 @@ ImprovedQuads untangleTowards(const std::vector<ReferenceShape>& shapes, const C
   return best;
 }
 
-/// What works on quads around chosen ones, patch by patch.
-class PatchWork
-{
-public:
-  /// Moves the free nodes of a patch; source points are the patch's as well.
-  using Work =
-    std::function<ImprovedQuads(const CapCorners&, const Points&, const PointsRef& source)>;
-
-  PatchWork(const CapCorners& cap, const PointsRef& source)
-    : Cap(cap)
-    , Source(source)
-    , AtNodes(cap.quads(), source.rows())
-    , Fixed(static_cast<std::size_t>(source.rows()), true)
-  {
-    for (const Index i : cap.freeNodes())
-    {
-      this->Fixed[static_cast<std::size_t>(i)] = false;
-    }
-  }
-
-  /// Where corners are not above the floor. @param most of the quads, or nothing is done.
-  void run(ImprovedQuads& quads, double floor, double most, const Work& work,
-    const Progress& progress) const
-  {
-    const std::vector<CellPatch> patches = cellPatches(this->Cap.quads(), this->AtNodes,
-      this->Cap.quadsBelow(floor, quads.points), PatchRings, this->Fixed);
-    if (sizeOf(patches) > most * static_cast<double>(this->Cap.quads().rows()))
-    {
-      return;
-    }
-    for (std::size_t p = 0; p < patches.size(); ++p)
-    {
-      reportProgress(progress, static_cast<double>(p) / static_cast<double>(patches.size()));
-      const CellPatch& patch = patches[p];
-      const ImprovedQuads mended = work(CapCorners(this->Cap, patch),
-        rowsOf(quads.points, patch.nodes), rowsOf(this->Source, patch.nodes));
-      quads.rounds += mended.rounds;
-      for (std::size_t i = 0; i < patch.nodes.size(); ++i)
-      {
-        quads.points.row(patch.nodes[i]) = mended.points.row(static_cast<Index>(i));
-      }
-    }
-    quads.quality = this->Cap.measure(quads.points);
-  }
-
-private:
-  static double sizeOf(const std::vector<CellPatch>& patches)
-  {
-    std::size_t cells = 0;
-    for (const CellPatch& patch : patches)
-    {
-      cells += patch.cells.size();
-    }
-    return static_cast<double>(cells);
-  }
-
-  const CapCorners& Cap;
-  const PointsRef& Source;
-  CellsAtNodes AtNodes;
-  std::vector<bool> Fixed;
-};
-
 /// Raises the minimum of quads that are upright.
 ImprovedQuads openThinCorners(const CapCorners& cap, const Points& points, const PointsRef& source)
 {
@@ -243,16 +171,16 @@ ImprovedQuads untangleQuads(
   {
     return untangleTogether(cap, points, source, progress);
   }
-  const PatchWork patches(cap, source);
+  const QuadPatchWork patches(cap, source);
   patches.run(
-    local, 0.0, MostInPatches,
+    local, 0.0, PatchRings, MostInPatches,
     [](const CapCorners& part, const Points& start, const PointsRef& from) {
       return untangleTowards({ ReferenceShape::Rectangle }, part, start, from, {});
     },
     progressPart(progress, 0.0, 0.2));
   if (local.quality.inverted == 0)
   {
-    patches.run(local, Thin, 1.0, openThinCorners, progressPart(progress, 0.2, 0.4));
+    patches.run(local, Thin, PatchRings, 1.0, openThinCorners, progressPart(progress, 0.2, 0.4));
     return local;
   }
   ImprovedQuads whole = untangleTogether(cap, points, source, progressPart(progress, 0.4, 1.0));

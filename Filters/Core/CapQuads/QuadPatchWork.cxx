@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/CapQuads/QuadPatchWork.h"
+
+#include "Core/Common/Errors.h"
+
+namespace hexsweep
+{
+namespace
+{
+Points rowsOf(const PointsRef& points, const std::vector<Index>& rows)
+{
+  Points result(static_cast<Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    result.row(static_cast<Index>(i)) = points.row(rows[i]);
+  }
+  return result;
+}
+
+double sizeOf(const std::vector<CellPatch>& patches)
+{
+  std::size_t cells = 0;
+  for (const CellPatch& patch : patches)
+  {
+    cells += patch.cells.size();
+  }
+  return static_cast<double>(cells);
+}
+}
+
+QuadPatchWork::QuadPatchWork(const CapCorners& cap, const PointsRef& source)
+  : Cap(cap)
+  , Source(source)
+  , AtNodes(cap.quads(), source.rows())
+  , Fixed(static_cast<std::size_t>(source.rows()), true)
+{
+  for (const Index i : cap.freeNodes())
+  {
+    this->Fixed[static_cast<std::size_t>(i)] = false;
+  }
+}
+
+bool QuadPatchWork::run(ImprovedQuads& quads, double floor, int rings, double most,
+  const Work& work, const Progress& progress) const
+{
+  const std::vector<CellPatch> patches = cellPatches(this->Cap.quads(), this->AtNodes,
+    this->Cap.quadsBelow(floor, quads.points), rings, this->Fixed);
+  if (sizeOf(patches) > most * static_cast<double>(this->Cap.quads().rows()))
+  {
+    return false;
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    reportProgress(progress, static_cast<double>(p) / static_cast<double>(patches.size()));
+    const CellPatch& patch = patches[p];
+    const ImprovedQuads mended = work(CapCorners(this->Cap, patch),
+      rowsOf(quads.points, patch.nodes), rowsOf(this->Source, patch.nodes));
+    quads.rounds += mended.rounds;
+    for (std::size_t i = 0; i < patch.nodes.size(); ++i)
+    {
+      quads.points.row(patch.nodes[i]) = mended.points.row(static_cast<Index>(i));
+    }
+  }
+  quads.quality = this->Cap.measure(quads.points);
+  return true;
+}
+}

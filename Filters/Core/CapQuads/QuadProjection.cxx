@@ -89,6 +89,69 @@ void forEachNode(const std::vector<Index>& nodes, const Progress& progress, cons
   }
 }
 
+/// The edges that one triangle has, and their ends.
+class BoundaryEdges
+{
+public:
+  explicit BoundaryEdges(const TriangleMesh& mesh)
+    : Mesh(mesh)
+    , IsOn(static_cast<std::size_t>(mesh.points.rows()), false)
+  {
+    std::vector<Edge> all;
+    for (Index t = 0; t < mesh.triangles.rows(); ++t)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        all.push_back(this->edgeAgainst(t, c));
+      }
+    }
+    std::sort(all.begin(), all.end());
+    for (auto edge = all.begin(); edge != all.end();)
+    {
+      const auto next = std::find_if(edge, all.end(), [&](const Edge& e) { return e != *edge; });
+      if (next - edge == 1)
+      {
+        this->Edges.push_back(*edge);
+        this->IsOn[static_cast<std::size_t>(edge->first)] = true;
+        this->IsOn[static_cast<std::size_t>(edge->second)] = true;
+      }
+      edge = next;
+    }
+  }
+
+  /// @param coordinates barycentric, 0 where the place is on an edge.
+  bool contain(Index triangle, const Eigen::RowVector3d& coordinates) const
+  {
+    const Index zeros = (coordinates.array() == 0.0).count();
+    for (int c = 0; c < 3; ++c)
+    {
+      if (zeros == 2 && coordinates[c] != 0.0)
+      {
+        return this->IsOn[static_cast<std::size_t>(this->Mesh.triangles(triangle, c))];
+      }
+      if (zeros == 1 && coordinates[c] == 0.0)
+      {
+        return std::binary_search(
+          this->Edges.begin(), this->Edges.end(), this->edgeAgainst(triangle, c));
+      }
+    }
+    return false;
+  }
+
+private:
+  using Edge = std::pair<Index, Index>;
+
+  Edge edgeAgainst(Index triangle, int corner) const
+  {
+    return std::minmax<Index>({ this->Mesh.triangles(triangle, (corner + 1) % 3),
+      this->Mesh.triangles(triangle, (corner + 2) % 3) });
+  }
+
+  const TriangleMesh& Mesh;
+  std::vector<Edge> Edges; // rising
+  std::vector<bool> IsOn;
+};
+
 ProjectedQuads startFrom(const PointsRef& quadPoints, const std::vector<FixedNode>& boundary)
 {
   ProjectedQuads result;
@@ -161,10 +224,17 @@ ProjectedQuads projectAffinely(const PointsRef& quadPoints, const std::vector<bo
     areaVector(loopPoints(result.points, outerLoop)));
   const Points mapped = map.apply(quadPoints);
   const TriangleSearch onTarget(target.points, target.triangles);
+  const BoundaryEdges boundaryEdges(target);
   Index last = -1;
   forEachNode(interiorNodes(mapped, used, boundary), progress, [&](Index, Index i) {
     const TrianglePoint place = onTarget.closest(mapped.row(i), last);
     last = place.triangle;
+    // Nearest at an edge inside the surface: the triangle's plane is off the surface beyond it.
+    if ((place.coordinates.array() == 0.0).any() && !boundaryEdges.contain(last, place.coordinates))
+    {
+      result.points.row(i) = pointOn(target, last, place.coordinates);
+      return;
+    }
     // Down to the surface along its normal only: a node that the affine map puts into a hole or
     // beyond the outer loop stays there, as in the published method, instead of gathering on the
     // boundary.

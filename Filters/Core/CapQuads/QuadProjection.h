@@ -46,8 +46,8 @@ ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vecto
 
 /**
  * The traditional projection: the affine map that fits the loops best (after X. Roca, J. Sarrate,
- * A. Huerta \cite RocaSarrateHuerta2004), then down to the target surface along the normal of its
- * nearest triangle.
+ * A. Huerta \cite RocaSarrateHuerta2004), then down to the target surface: to the nearest place,
+ * or, where that is on its boundary, along the normal of the triangle there.
  *
  * @param outerLoop nodes of the outer loop, in order; they fix the normal direction of flat caps.
  */

@@ -103,12 +103,6 @@ struct PatchResult
   double work = 0.0;
 };
 
-double workOfStep(Index hexes, HexSamples samples)
-{
-  const double places = samples == HexSamples::Corners ? 1.0 : 27.0 / 8.0;
-  return places * std::pow(static_cast<double>(hexes), 4.0 / 3.0);
-}
-
 PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& free,
   const Points& points, double budget, Precision precision, const Progress& progress)
 {
@@ -129,7 +123,7 @@ PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& fr
   {
     const HexSamples samples =
       current.quality.invertedCorners > 0 ? HexSamples::Corners : HexSamples::Lattice;
-    const double workOfOne = workOfStep(patch.hexes.rows(), samples);
+    const double workOfOne = untanglingWork(patch.hexes.rows(), samples);
     const double affordable = (limit - best.work) / workOfOne;
     if (affordable < 1.0)
     {
@@ -207,6 +201,12 @@ Points stored(const PointsRef& points, Precision precision)
 {
   return precision == Precision::Double ? Points(points)
                                         : Points(points.cast<float>().cast<double>());
+}
+
+double untanglingWork(Index hexes, HexSamples samples)
+{
+  const double places = samples == HexSamples::Corners ? 1.0 : 27.0 / 8.0;
+  return places * std::pow(static_cast<double>(hexes), 4.0 / 3.0);
 }
 
 double untanglingBudget(Index hexes)

@@ -34,6 +34,9 @@ struct UntangledHexes
   double work = 0.0;
 };
 
+/// Of a Newton step of a patch of so many hexahedra, in the unit of untanglingBudget().
+double untanglingWork(Index hexes, HexSamples samples);
+
 /**
  * How much work untangleHexes() spends at the most on a mesh of so many hexahedra.
  *

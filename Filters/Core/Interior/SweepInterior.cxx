@@ -6,6 +6,7 @@
 #include "Core/Common/Stopwatch.h"
 #include "Core/Hexahedra/HexMinimum.h"
 #include "Core/Hexahedra/HexPolishing.h"
+#include "Core/Hexahedra/LowHexes.h"
 #include "Core/Interior/SweptBoxes.h"
 #include "Core/Interior/SweptHexes.h"
 
@@ -22,6 +23,14 @@ constexpr double Rounding = 1e-12;
 constexpr double WeightOfBad = 10.0;
 /// Part of the hexahedra up to which bad ones are cured node by node before patches are untangled.
 constexpr double FewBad = 0.01;
+/// Part of the hexahedra, and their number, above which untangling takes longer than to make the
+/// next start as well.
+constexpr double ManyBad = 0.0025;
+constexpr double LeastManyBad = 50.0;
+/// Scaled Jacobian up to which whole patches are moved: more is seldom worth their time.
+constexpr double Enough = 0.4;
+/// Of patches and of single nodes, at the most.
+constexpr int Turns = 2;
 constexpr const char* RaisedName = " + raised minimum";
 
 struct Candidate
@@ -130,17 +139,19 @@ public:
 
   /**
    * Makes a start and its rivals and betters them, the most promising first, until one has all that
-   * the boundary allows. Of the others only those are looked at that are certified as they are,
+   * the boundary allows. Where much is to be untangled in all of them those that would be next are
+   * rivals, too. Of the others only those are looked at that are certified as they are,
    * once there is one without a hexahedron that can be cured.
    *
+   * @param first moves on to the start that is next.
    * @param mustSucceed whether a failure of the first is the caller's to know.
    * @return whether there is such a one, or none is asked for.
    */
-  bool tryRivals(const InteriorStart* first, const InteriorStart* last, bool mustSucceed,
+  bool tryRivals(const InteriorStart*& first, const InteriorStart* end, bool mustSucceed,
     const Progress& progress)
   {
     std::vector<Candidate> candidates =
-      this->rivals(first, last, mustSucceed, progressPart(progress, 0.0, 0.5));
+      this->rivals(first, end, mustSucceed, progressPart(progress, 0.0, 0.5));
     const double width = 0.5 / static_cast<double>(std::max<std::size_t>(1, candidates.size()));
     double from = 0.5;
     bool done = false;
@@ -291,15 +302,22 @@ private:
     const Stopwatch watch;
     const Index before = candidate.quality.notCertified;
     candidate.qualities = std::vector<HexQuality>();
-    RaisedMinimum raised = raiseMinimum(candidate.points, candidate.hexes, this->Fixed,
-      (1.0 - Rounding) * candidate.fixed.floor,
-      candidate.curable > 0 ? Certificates::MayGo : Certificates::Stay, this->Options.parallelFor,
-      progressPart(progress, 0.0, 0.8));
-    std::swap(candidate.points, raised.points);
+    const double wanted = (1.0 - Rounding) * candidate.fixed.floor;
+    const Certificates certificates =
+      candidate.curable > 0 ? Certificates::MayGo : Certificates::Stay;
+    Points raised = raiseMinimum(candidate.points, candidate.hexes, this->Fixed, wanted,
+      certificates, this->Options.parallelFor, progressPart(progress, 0.0, 0.3))
+                      .points;
+    if (certificates == Certificates::Stay)
+    {
+      raised = this->raiseByPatches(
+        std::move(raised), candidate.hexes, wanted, progressPart(progress, 0.3, 0.8));
+    }
+    std::swap(candidate.points, raised);
     this->measure(candidate, progressPart(progress, 0.8, 0.9));
     if (candidate.quality.notCertified > before)
     {
-      std::swap(candidate.points, raised.points);
+      std::swap(candidate.points, raised);
       this->measure(candidate, progressPart(progress, 0.9, 1.0));
     }
     else if (candidate.method.find(RaisedName) == std::string::npos)
@@ -308,6 +326,28 @@ private:
     }
     this->finish(
       "Minimum", candidate.quality.notCertified, before - candidate.quality.notCertified, watch);
+  }
+
+  /// Patches and single nodes by turns, as the ones leave to the others what these are good at.
+  Points raiseByPatches(
+    Points&& start, const Hexes& hexes, double wanted, const Progress& progress) const
+  {
+    Points points = std::move(start);
+    for (int turn = 0; turn < Turns; ++turn)
+    {
+      const double from = static_cast<double>(turn) / Turns;
+      const double to = static_cast<double>(turn + 1) / Turns;
+      const RaisedLowHexes low = raiseLowHexes(points, hexes, this->Fixed, std::min(wanted, Enough),
+        this->Options.parallelFor, progressPart(progress, from, 0.5 * (from + to)));
+      if (!(low.after > low.before))
+      {
+        break;
+      }
+      points = raiseMinimum(low.points, hexes, this->Fixed, wanted, Certificates::Stay,
+        this->Options.parallelFor, progressPart(progress, 0.5 * (from + to), to))
+                 .points;
+    }
+    return points;
   }
 
   void cure(Candidate& candidate, const Progress& progress)
@@ -323,29 +363,37 @@ private:
     }
   }
 
-  std::vector<Candidate> rivals(const InteriorStart* first, const InteriorStart* last,
+  /// @param first moves on to the start that is next.
+  std::vector<Candidate> rivals(const InteriorStart*& first, const InteriorStart* end,
     bool mustSucceed, const Progress& progress)
   {
     std::vector<Candidate> candidates;
-    const double width = 1.0 / static_cast<double>(last - first);
-    for (const InteriorStart* start = first; start != last; ++start)
+    const auto isTangled = [](const Candidate& candidate) {
+      return static_cast<double>(candidate.curable) >
+        std::max(LeastManyBad, ManyBad * static_cast<double>(candidate.hexes.rows()));
+    };
+    const InteriorStart* const begin = first;
+    const double width = 1.0 / static_cast<double>(end - begin);
+    do
     {
-      const double from = static_cast<double>(start - first) * width;
+      const double from = static_cast<double>(first - begin) * width;
       try
       {
-        if (start == first || start->rivals(this->Cage))
+        if (first == begin || !first->rivals || first->rivals(this->Cage))
         {
-          candidates.push_back(this->start(*start, progressPart(progress, from, from + width)));
+          candidates.push_back(this->start(*first, progressPart(progress, from, from + width)));
         }
       }
       catch (const SolverFailure&)
       {
-        if (mustSucceed && start == first)
+        if (mustSucceed && first == begin)
         {
           throw;
         }
       }
-    }
+      ++first;
+    } while (first != end &&
+      (first->rivals || std::all_of(candidates.begin(), candidates.end(), isTangled)));
     std::stable_sort(candidates.begin(), candidates.end(),
       [](const Candidate& a, const Candidate& b) { return a.promise() > b.promise(); });
     return candidates;
@@ -424,14 +472,10 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
   const InteriorStart* const end = options.ensureValid ? begin + starts.size() : begin + 1;
   const double share = (1.0 - PolishingShare) / static_cast<double>(end - begin);
   bool done = false;
-  for (const InteriorStart* first = begin; first != end && !done;)
+  for (const InteriorStart* next = begin; next != end && !done;)
   {
-    const InteriorStart* const last =
-      std::find_if(first + 1, end, [](const InteriorStart& start) { return !start.rivals; });
-    done = cascade.tryRivals(first, last, first == begin,
-      progressPart(progress, static_cast<double>(first - begin) * share,
-        static_cast<double>(last - begin) * share));
-    first = last;
+    done = cascade.tryRivals(next, end, next == begin,
+      progressPart(progress, static_cast<double>(next - begin) * share, 1.0 - PolishingShare));
   }
   if (options.polishingRounds > 0 && cascade.canBePolished())
   {

@@ -79,11 +79,13 @@ struct SweepInterior
  * untangling (untangleHexes()); otherwise keeps the best: fewest hexahedra that are not Certified,
  * then the highest least scaled Jacobian. Of rivals (InteriorStart::rivals) the one with fewer
  * hexahedra that are not Certified is tried first, or with as many the one whose least and mean
- * scaled Jacobian are higher together.
+ * scaled Jacobian are higher together. Where more than 50 hexahedra and one in 400 would have
+ * to be untangled in all of them the starts that come next are rivals as well: to make one takes
+ * less.
  *
- * A certified mesh's minimum is raised up to what the boundary allows (raiseMinimum()). Then
- * follows the polish (polishHexes(); not of a certified start that
- * InteriorStart::isBest), which never lowers the
+ * A certified mesh's minimum is raised up to what the boundary allows (raiseMinimum()), and by
+ * patches up to 0.4 where single nodes are stuck before (raiseLowHexes()). Then follows the polish
+ * (polishHexes(); not of a certified start that InteriorStart::isBest), which never lowers the
  * minimum nor loses a certificate, and is kept unless the mean falls. What is not certified even
  * then is untangled and polished again, as long as that mends something, twice at the most. No step
  * leaves a worse mesh than it was given.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace hexsweep
 {
@@ -12,12 +11,13 @@ namespace
 /// Rows that are eliminated as one dense block rather than cut once more; measured, flat about it.
 constexpr int LeafSize = 20;
 
-/// Breadth-first distance of each row from one of them; rows of other components keep -1.
-std::vector<int> distancesFrom(const SparseMatrix& matrix, int start)
+/// Breadth-first distances of the rows of a component from one of them, in the order of the rows.
+/// @param distance scratch: -1 for each row of the matrix, before and after.
+std::vector<int> distancesFrom(
+  const SparseMatrix& matrix, int start, const std::vector<int>& rows, std::vector<int>& distance)
 {
-  std::vector<int> distance(static_cast<std::size_t>(matrix.rows()), -1);
   std::vector<int> queue{ start };
-  queue.reserve(distance.size());
+  queue.reserve(rows.size());
   distance[static_cast<std::size_t>(start)] = 0;
   for (std::size_t next = 0; next < queue.size(); ++next)
   {
@@ -32,45 +32,84 @@ std::vector<int> distancesFrom(const SparseMatrix& matrix, int start)
       }
     }
   }
-  return distance;
+  std::vector<int> result;
+  result.reserve(rows.size());
+  for (const int row : rows)
+  {
+    result.push_back(distance[static_cast<std::size_t>(row)]);
+    distance[static_cast<std::size_t>(row)] = -1;
+  }
+  return result;
 }
 
-int farthest(const std::vector<int>& distance)
+/// The rows of each connected component, rising; the components by their first rows.
+std::vector<std::vector<int>> components(const SparseMatrix& matrix)
 {
-  return static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin());
+  std::vector<std::vector<int>> result;
+  std::vector<bool> isFound(static_cast<std::size_t>(matrix.rows()), false);
+  for (int first = 0; first < static_cast<int>(matrix.rows()); ++first)
+  {
+    if (isFound[static_cast<std::size_t>(first)])
+    {
+      continue;
+    }
+    std::vector<int> rows{ first };
+    isFound[static_cast<std::size_t>(first)] = true;
+    for (std::size_t next = 0; next < rows.size(); ++next)
+    {
+      for (SparseMatrix::InnerIterator it(matrix, rows[next]); it; ++it)
+      {
+        if (!isFound[static_cast<std::size_t>(it.row())])
+        {
+          isFound[static_cast<std::size_t>(it.row())] = true;
+          rows.push_back(static_cast<int>(it.row()));
+        }
+      }
+    }
+    std::sort(rows.begin(), rows.end());
+    result.push_back(std::move(rows));
+  }
+  return result;
 }
 
 /// Differences of distances: from two far-apart rows, and from two that are far from both.
-Points graphCoordinates(const SparseMatrix& matrix)
+/// @param distance scratch of distancesFrom().
+void setGraphCoordinates(const SparseMatrix& matrix, const std::vector<int>& rows,
+  std::vector<int>& distance, Points& coordinates)
 {
-  const int west = farthest(distancesFrom(matrix, 0));
-  const std::vector<int> fromWest = distancesFrom(matrix, west);
-  const std::vector<int> fromEast = distancesFrom(matrix, farthest(fromWest));
+  const auto from = [&](int start) { return distancesFrom(matrix, start, rows, distance); };
+  const auto farthestOf = [&](const std::vector<int>& distances) {
+    return rows[static_cast<std::size_t>(
+      std::max_element(distances.begin(), distances.end()) - distances.begin())];
+  };
+  const std::vector<int> fromWest = from(farthestOf(from(rows.front())));
+  const std::vector<int> fromEast = from(farthestOf(fromWest));
   std::vector<int> least(fromWest.size());
   std::transform(fromWest.begin(), fromWest.end(), fromEast.begin(), least.begin(),
     [](int a, int b) { return std::min(a, b); });
-  const std::vector<int> fromSouth = distancesFrom(matrix, farthest(least));
-  const std::vector<int> fromNorth = distancesFrom(matrix, farthest(fromSouth));
-  Points coordinates = Points::Zero(matrix.rows(), 3);
-  for (std::size_t i = 0; i < fromWest.size(); ++i)
+  const std::vector<int> fromSouth = from(farthestOf(least));
+  const std::vector<int> fromNorth = from(farthestOf(fromSouth));
+  for (std::size_t k = 0; k < rows.size(); ++k)
   {
-    coordinates(static_cast<Index>(i), 0) = fromWest[i] - fromEast[i];
-    coordinates(static_cast<Index>(i), 1) = fromSouth[i] - fromNorth[i];
+    coordinates.row(rows[k]) << fromWest[k] - fromEast[k], fromSouth[k] - fromNorth[k], 0.0;
   }
-  return coordinates;
 }
 
 class Dissector
 {
 public:
-  Dissector(const SparseMatrix& matrix, const PointsRef& places)
+  Dissector(const SparseMatrix& matrix, const PointsRef& places,
+    const std::vector<std::vector<int>>& components)
     : Matrix(matrix)
     , Places(places)
     , Side(static_cast<std::size_t>(matrix.rows()), None)
   {
-    this->Result.order.resize(Side.size());
-    std::iota(this->Result.order.begin(), this->Result.order.end(), 0);
-    this->split(0, static_cast<int>(Side.size()));
+    for (const std::vector<int>& rows : components)
+    {
+      const int begin = static_cast<int>(this->Result.order.size());
+      this->Result.order.insert(this->Result.order.end(), rows.begin(), rows.end());
+      this->split(begin, begin + static_cast<int>(rows.size()));
+    }
   }
 
   Dissection result() && { return std::move(this->Result); }
@@ -197,7 +236,17 @@ Dissection dissect(const SparseMatrix& matrix, const PointsRef& places)
   {
     return {};
   }
-  return places.rows() > 0 ? Dissector(matrix, places).result()
-                           : Dissector(matrix, graphCoordinates(matrix)).result();
+  const std::vector<std::vector<int>> parts = components(matrix);
+  if (places.rows() > 0)
+  {
+    return Dissector(matrix, places, parts).result();
+  }
+  Points coordinates(matrix.rows(), 3);
+  std::vector<int> distance(static_cast<std::size_t>(matrix.rows()), -1);
+  for (const std::vector<int>& rows : parts)
+  {
+    setGraphCoordinates(matrix, rows, distance, coordinates);
+  }
+  return Dissector(matrix, coordinates, parts).result();
 }
 }

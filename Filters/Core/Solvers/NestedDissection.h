@@ -30,9 +30,10 @@ struct Dissection
 /**
  * Nested dissection \cite George1973 of the graph of a matrix.
  *
- * Parts are halved across their longest side until they are small. Where the rows' places in space
- * are not known, breadth-first distances from two pairs of far-apart rows serve as coordinates in
- * the plane; the separators are then about a tenth longer.
+ * Each connected component is a tree of its own. Parts are halved across their longest side until
+ * they are small. Where the rows' places in space are not known, breadth-first distances from two
+ * pairs of far-apart rows serve as coordinates in the plane; the separators are then about a tenth
+ * longer.
  *
  * @param matrix n x n with a symmetric pattern.
  * @param places n x 3: where each row lies, or no rows at all.

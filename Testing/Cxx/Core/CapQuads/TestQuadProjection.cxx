@@ -225,6 +225,40 @@ TEST(QuadProjection, AffineMapsArePerfectForTheTraditionalMethod)
   }
 }
 
+// The truth is the height of a surface that is folded along lines: all nodes end on it, also those
+// whose nearest place is on a fold.
+TEST(QuadProjection, AffineNodesEndOnAFoldedTarget)
+{
+  TriangleMesh target = test::plate(8, {});
+  target.points.leftCols<2>() *= 8.0;
+  const auto height = [](double x) { return 0.3 * std::abs(std::remainder(x, 4.0)); };
+  for (Index i = 0; i < target.points.rows(); ++i)
+  {
+    target.points(i, 2) = height(target.points(i, 0));
+  }
+  Points nodes(4 + 300, 3);
+  nodes.topRows<4>() << 0, 0, 0, 8, 0, 0, 8, 8, 0, 0, 8, 0;
+  for (Index i = 4; i < nodes.rows(); ++i)
+  {
+    nodes.row(i) << 0.5 + 7.0 * static_cast<double>(i - 4) / 300,
+      1.0 + std::fmod(0.77 * double(i), 6.0), 0;
+  }
+  std::vector<FixedNode> fixed;
+  for (Index b = 0; b < 4; ++b)
+  {
+    fixed.push_back({ b, nodes.row(b) + Eigen::RowVector3d(0, 0, 1.0) }); // above the folds
+  }
+  const Points result =
+    hexsweep::projectAffinely(nodes, all(nodes.rows()), fixed, { 0, 1, 2, 3 }, target).points;
+  int onFolds = 0;
+  for (Index i = 4; i < nodes.rows(); ++i)
+  {
+    EXPECT_NEAR(result(i, 2), height(result(i, 0)), 1e-14) << i;
+    onFolds += std::abs(std::remainder(result(i, 0) - 2.0, 4.0)) < 1e-14;
+  }
+  EXPECT_GT(onFolds, 5);
+}
+
 TEST(QuadProjection, CanBeAborted)
 {
   const TriangleMesh mesh = test::plate(6, {});

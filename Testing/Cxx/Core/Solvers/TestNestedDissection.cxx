@@ -185,6 +185,40 @@ TEST(NestedDissection, PlacesInSpace)
     21 * fill(matrix, hexsweep::dissect(matrix).order));
 }
 
+// What is not connected is ordered as if each part were alone: its factor is as full.
+TEST(NestedDissection, FillOfADisconnectedGraphIsTheSumOfItsParts)
+{
+  const hexsweep::TriangleMesh plate = test::plate(36, { { 6, 6, 6, 6 } }, 0.3);
+  const Index n = plate.points.rows();
+  const auto copies = [&](Index count) {
+    hexsweep::TriangleMesh mesh = plate;
+    mesh.triangles.resize(count * plate.triangles.rows(), 3);
+    mesh.points.resize(count * n, 3);
+    for (Index k = 0; k < count; ++k)
+    {
+      mesh.points.middleRows(k * n, n) = plate.points;
+      mesh.triangles.middleRows(k * plate.triangles.rows(), plate.triangles.rows()) =
+        plate.triangles.array() + k * n;
+    }
+    SparseMatrix matrix = hexsweep::cotangentLaplacian(mesh.points, mesh.triangles);
+    for (Index i = 0; i < matrix.rows(); ++i)
+    {
+      matrix.coeffRef(i, i) += 1.0;
+    }
+    return std::make_pair(matrix, mesh.points);
+  };
+  const auto [one, places] = copies(1);
+  for (const Index count : { 2, 3, 5 })
+  {
+    const auto [many, manyPlaces] = copies(count);
+    EXPECT_EQ(
+      fill(many, hexsweep::dissect(many).order), count * fill(one, hexsweep::dissect(one).order));
+    // Of copies one on top of the other, too.
+    EXPECT_EQ(fill(many, hexsweep::dissect(many, manyPlaces).order),
+      count * fill(one, hexsweep::dissect(one, places).order));
+  }
+}
+
 TEST(NestedDissection, AnEmptyMatrix)
 {
   const Dissection dissection = hexsweep::dissect(SparseMatrix(0, 0));

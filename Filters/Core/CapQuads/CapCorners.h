@@ -56,6 +56,14 @@ struct CornerQuality
   }
 };
 
+/// A mesh that was worked on.
+struct ImprovedQuads
+{
+  Points points;
+  CornerQuality quality;
+  int rounds = 0; ///< descents
+};
+
 /**
  * All corners of a cap's quads, those at boundary nodes with a column twice: on the surface, and
  * as the corner of the hex on it sees them, along the column.

@@ -6,7 +6,7 @@
 #ifndef hexsweep_QuadPatchWork_h
 #define hexsweep_QuadPatchWork_h
 
-#include "Core/CapQuads/QuadUntangling.h"
+#include "Core/CapQuads/CapCorners.h"
 #include "Core/Common/CellPatches.h"
 
 #include <functional>

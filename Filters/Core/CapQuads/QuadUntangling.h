@@ -10,14 +10,6 @@
 
 namespace hexsweep
 {
-/// A mesh that was worked on.
-struct ImprovedQuads
-{
-  Points points;
-  CornerQuality quality;
-  int rounds = 0; ///< descents
-};
-
 /**
  * Variational foldover-free optimisation (see FoldoverFreeEnergy.h) with four corner triangles a
  * quad, in the tangent plane of the surface at each node; nodes return to the surface after each

@@ -2,6 +2,7 @@
 #include "Core/Hexahedra/HexNodeMoves.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Hexahedra/HexCorner.h"
 #include "Core/Hexahedra/HexKernels.h"
 
 #include <Eigen/Cholesky>
@@ -17,6 +18,7 @@ namespace
 {
 /// Added to the diagonal, relative to its mean.
 constexpr double Damping = 1e-3;
+constexpr double LeastEdge = 0.25; // of what it was at first
 constexpr int Backtracks = 4;
 constexpr double SufficientDecrease = 1e-4;
 constexpr std::size_t NodesPerReport = 16384;
@@ -65,7 +67,8 @@ HexNodeMoves::HexNodeMoves(const PointsRef& points, const HexesRef& hexes,
 HexNodeMoves::HexNodeMoves(const PointsRef& points, const HexesRef& hexes,
   const std::vector<bool>& fixed, std::vector<HexQuality> verdicts, double enough,
   const Progress& progress)
-  : Places(points)
+  : Start(points)
+  , Places(points)
   , Cells(hexes)
   , AtNodes(hexes, points.rows())
   , Qualities(std::move(verdicts))
@@ -187,6 +190,30 @@ public:
     return Kernels.value(this->Corners.data(), this->Batches, loss);
   }
 
+  /// Whether no edge at the node is much shorter than at first.
+  bool keepsLengths() const
+  {
+    const double* places = this->Moves.Places.data();
+    const auto startOf = [&](const double* place) {
+      return this->Moves.Start.row((place - places) / 3);
+    };
+    for (Index h = 0; h < this->Count; ++h)
+    {
+      const double* const* corners = this->Corners.data() + 8 * h;
+      const Eigen::Map<const Eigen::RowVector3d> here(corners[0]);
+      for (const int i : HexCornerNeighbors[0])
+      {
+        const Eigen::Map<const Eigen::RowVector3d> there(corners[i]);
+        if ((there - here).squaredNorm() <
+          LeastEdge * LeastEdge * (startOf(corners[i]) - startOf(corners[0])).squaredNorm())
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
   /// Whether the hexahedra are to be had as they are now; keeps their qualities then.
   bool accept(double floor, Certificates certificates)
   {
@@ -251,7 +278,7 @@ HexNodeMoves::Step HexNodeMoves::move(
   {
     this->Places.row(node) = before + length * step.transpose();
     const double value = visit.value(loss);
-    if (value <= sum.value + SufficientDecrease * length * slope &&
+    if (value <= sum.value + SufficientDecrease * length * slope && visit.keepsLengths() &&
       visit.accept(floor, certificates))
     {
       return { true, (sum.value - value) / sum.value };

@@ -29,7 +29,8 @@ enum class Certificates
 class HexNodeMoves
 {
 public:
-  /// @param fixed n entries: nodes that stay. @throw Aborted when progress returns false.
+  /// @param points must stay, and as they are. @param fixed n entries: nodes that stay.
+  /// @throw Aborted when progress returns false.
   HexNodeMoves(const PointsRef& points, const HexesRef& hexes, const std::vector<bool>& fixed,
     const ParallelFor& parallelFor, const Progress& progress);
   /// @param verdicts of the hexahedra. @param enough nodes whose hexahedra all have a scaled
@@ -60,7 +61,9 @@ public:
   /**
    * One Gauss-Newton step with backtracking down the sum over the corners at the node. It is taken
    * only if every hexahedron at the node that was Certified still is, unless certificates may go,
-   * and none has a scaled Jacobian below the floor.
+   * none has a scaled Jacobian below the floor, and no edge at the node is shorter than a quarter
+   * of what it was at first: a scaled Jacobian says nothing about lengths, and hexahedra that are
+   * low for the turn of their edges would be drawn together to a point.
    */
   Step move(
     Index node, const HexLoss& loss, double floor, Certificates certificates = Certificates::Stay);
@@ -72,6 +75,7 @@ private:
 
   void color(const std::vector<bool>& fixed, double enough, const Progress& progress);
 
+  PointsRef Start;
   Points Places;
   HexesRef Cells;
   CellsAtNodes AtNodes;

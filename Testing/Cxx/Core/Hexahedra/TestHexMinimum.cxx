@@ -3,6 +3,7 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Hexahedra/FixedCorners.h"
+#include "Core/Hexahedra/HexCorner.h"
 #include "Support/HexBlocks.h"
 
 #include <gtest/gtest.h>
@@ -138,6 +139,45 @@ TEST(HexMinimum, SizeDoesNotMatterNorDoesTheOrderOfTheWork)
   {
     const Points scaled = raiseMinimum(Points(scale * start), block.hexes, block.fixed, 0.6).points;
     EXPECT_LT((scaled / scale - points).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(HexMinimum, EdgesDoNotShrinkToNothing)
+{
+  // The middles of bottom and top are turned against each other, and stay: hexahedra are low for
+  // the turn of their edges, and would be better the shorter these are.
+  for (const double turn : { 0.9, 1.5 })
+  {
+    const Index n = 4;
+    const HexBlock block = test::makeBlock(n);
+    Points start = block.points;
+    for (Index i = 0; i < start.rows(); ++i)
+    {
+      const bool isTop = start(i, 2) == static_cast<double>(n);
+      if (isTop || start(i, 2) == 0.0)
+      {
+        const Eigen::Vector2d out = start.row(i).head<2>().transpose().array() - 0.5 * n;
+        const double inside = 1.0 - out.cwiseAbs().maxCoeff() / (0.5 * n);
+        start.row(i).head<2>() =
+          (Eigen::Rotation2Dd((isTop ? -2.0 : 2.0) * turn * inside) * out).transpose().array() +
+          0.5 * n;
+      }
+    }
+    const Points raised =
+      raiseMinimum(start, block.hexes, block.fixed, 0.9, Certificates::MayGo).points;
+    for (Index h = 0; h < block.hexes.rows(); ++h)
+    {
+      for (int c = 0; c < 8; ++c)
+      {
+        for (const int next : hexsweep::HexCornerNeighbors[c])
+        {
+          const Index a = block.hexes(h, c);
+          const Index b = block.hexes(h, next);
+          EXPECT_GE((raised.row(b) - raised.row(a)).norm(),
+            0.25 * (1.0 - 1e-12) * (start.row(b) - start.row(a)).norm());
+        }
+      }
+    }
   }
 }
 

@@ -18,7 +18,7 @@ namespace
 {
 /// Added to the diagonal, relative to its mean.
 constexpr double Damping = 1e-3;
-constexpr double LeastEdge = 0.25; // of what it was at first
+constexpr double LeastEdge = 0.1; // of what it was at first
 constexpr int Backtracks = 4;
 constexpr double SufficientDecrease = 1e-4;
 constexpr std::size_t NodesPerReport = 16384;

@@ -106,24 +106,27 @@ double leastRoom(const CapCorners& cap, const Points& points, const Losses& loss
   return least;
 }
 
-/// Takes a mesh where it is better. @return whether.
-bool take(Points candidate, const CornerQuality& quality, ImprovedQuads& best)
+void take(Points candidate, const CornerQuality& quality, ImprovedQuads& best)
 {
   best.points = std::move(candidate);
   best.quality = quality;
-  return true;
 }
 
-/// For the mean, before anything else. What single nodes do to a mesh takes as many sweeps to go
-/// round it as there are nodes along its way.
+/// For the mean, before anything else. @return whether it was of use. What single nodes do to a
+/// mesh takes as many sweeps to go round it as there are nodes along its way.
 bool relax(const CapCorners& cap, Together& together, ImprovedQuads& best)
 {
   const Losses losses = sameLoss(cap, { 0.0, Room * best.quality.minimum }, 0.0);
   Points candidate = together.descend(best.points, losses, RelaxingSteps, Relaxed);
   ++best.rounds;
   const CornerQuality quality = cap.measure(candidate);
-  return quality.inverted == 0 && quality.minimum >= Room * best.quality.minimum &&
-    quality.mean > best.quality.mean && take(std::move(candidate), quality, best);
+  if (quality.inverted > 0 || quality.minimum < Room * best.quality.minimum ||
+    !(quality.mean > best.quality.mean))
+  {
+    return false;
+  }
+  take(std::move(candidate), quality, best);
+  return true;
 }
 
 ImprovedQuads raiseMinimumTogether(
@@ -257,7 +260,7 @@ ImprovedQuads polishQuads(const CapCorners& cap, const Points& points, const Poi
   }
 
   const double kept = best.quality.minimum;
-  const double part = low ? KeptOfLow : KeptOfMinimum;
+  const double part = kept < LowMinimum ? KeptOfLow : KeptOfMinimum;
   const auto barrier = [=](double share) { return Room * std::max(given, share * kept); };
   Losses losses = sameLoss(cap, { 0.0, barrier(part) }, given);
   for (std::size_t c = 0; c < losses.atColumns.size(); ++c)

@@ -34,7 +34,8 @@ public:
 
 private:
   std::vector<Index> Begin;
-  std::vector<std::uint32_t> Cells; ///< of hexahedra eight a cell: half the memory of a mesh otherwise
+  /// Of hexahedra eight a cell: half the memory of a mesh otherwise.
+  std::vector<std::uint32_t> Cells;
 };
 
 /// A piece of a mesh with node numbers of its own.

@@ -7,16 +7,6 @@ namespace hexsweep
 {
 namespace
 {
-Points rowsOf(const PointsRef& points, const std::vector<Index>& rows)
-{
-  Points result(static_cast<Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    result.row(static_cast<Index>(i)) = points.row(rows[i]);
-  }
-  return result;
-}
-
 double sizeOf(const std::vector<CellPatch>& patches)
 {
   std::size_t cells = 0;
@@ -53,8 +43,9 @@ bool QuadPatchWork::run(ImprovedQuads& quads, double floor, int rings, double mo
   {
     reportProgress(progress, static_cast<double>(p) / static_cast<double>(patches.size()));
     const CellPatch& patch = patches[p];
-    const ImprovedQuads mended = work(CapCorners(this->Cap, patch),
-      rowsOf(quads.points, patch.nodes), rowsOf(this->Source, patch.nodes));
+    const Points source = this->Source(patch.nodes, Eigen::all);
+    const ImprovedQuads mended =
+      work(CapCorners(this->Cap, patch), quads.points(patch.nodes, Eigen::all), source);
     quads.rounds += mended.rounds;
     for (std::size_t i = 0; i < patch.nodes.size(); ++i)
     {

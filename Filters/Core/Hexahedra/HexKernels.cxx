@@ -3,19 +3,19 @@
 
 namespace hexsweep
 {
-extern const HexKernels hexKernelsBaseline;
+extern const HexKernels HexKernelsBaseline;
 #if defined(HEXSWEEP_KERNELS_X86)
-extern const HexKernels hexKernelsAvx2;
+extern const HexKernels HexKernelsAvx2;
 #endif
 
 int availableHexKernels(const HexKernels* kernels[2])
 {
   int count = 0;
-  kernels[count++] = &hexKernelsBaseline;
+  kernels[count++] = &HexKernelsBaseline;
 #if defined(HEXSWEEP_KERNELS_X86)
   if (__builtin_cpu_supports("avx2"))
   {
-    kernels[count++] = &hexKernelsAvx2;
+    kernels[count++] = &HexKernelsAvx2;
   }
 #endif
   return count;

@@ -5,7 +5,7 @@
 
 namespace hexsweep
 {
-extern const HexKernels hexKernelsAvx2;
-const HexKernels hexKernelsAvx2 = makeHexKernels("AVX2");
+extern const HexKernels HexKernelsAvx2;
+const HexKernels HexKernelsAvx2 = makeHexKernels("AVX2");
 }
 #endif

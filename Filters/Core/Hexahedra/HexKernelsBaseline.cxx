@@ -3,6 +3,6 @@
 
 namespace hexsweep
 {
-extern const HexKernels hexKernelsBaseline;
-const HexKernels hexKernelsBaseline = makeHexKernels("baseline");
+extern const HexKernels HexKernelsBaseline;
+const HexKernels HexKernelsBaseline = makeHexKernels("baseline");
 }

@@ -208,7 +208,7 @@ struct Arm
 
 /// A corner at the far end of an edge from the node: that edge, and its two others, so that the
 /// three are right-handed.
-template <bool withSlopes>
+template <bool WithSlopes>
 inline void addFarCorner(const HexLoss& loss, const Arm& own, const Lanes& inverse, const Arm& p,
   const Arm& q, LanesSum& sum)
 {
@@ -217,7 +217,7 @@ inline void addFarCorner(const HexLoss& loss, const Arm& own, const Lanes& inver
   const Lanes scale = spread(1.0) / lengths;
   // The edge leads away from the node.
   const Lanes jacobian = -scale * dot(own.vector, normal);
-  if constexpr (withSlopes)
+  if constexpr (WithSlopes)
   {
     sum.add(loss, jacobian, lengths, scale * normal + (jacobian * inverse) * own.vector, inverse);
   }
@@ -227,7 +227,7 @@ inline void addFarCorner(const HexLoss& loss, const Arm& own, const Lanes& inver
   }
 }
 
-template <bool withSlopes>
+template <bool WithSlopes>
 inline void addNearCorner(
   const HexLoss& loss, const Arm (&arm)[3], const Lanes (&inverse)[3], LanesSum& sum)
 {
@@ -235,7 +235,7 @@ inline void addNearCorner(
   const Lanes scale = spread(1.0) / lengths;
   const LanesVector normal = cross(arm[1].vector, arm[2].vector);
   const Lanes jacobian = scale * dot(arm[0].vector, normal);
-  if constexpr (withSlopes)
+  if constexpr (WithSlopes)
   {
     const LanesVector normals =
       normal + (cross(arm[2].vector, arm[0].vector) + cross(arm[0].vector, arm[1].vector));
@@ -250,7 +250,7 @@ inline void addNearCorner(
   }
 }
 
-template <bool withSlopes>
+template <bool WithSlopes>
 inline void addHexes(const double* const* corners, const HexLoss& loss, LanesSum& sum)
 {
   const LanesVector node = point(corners, 0);
@@ -262,17 +262,17 @@ inline void addHexes(const double* const* corners, const HexLoss& loss, LanesSum
   const LanesVector x7 = point(corners, 7);
   const Arm arm[3] = { Arm(node, x1), Arm(node, x3), Arm(node, x4) };
   Lanes inverse[3] = {};
-  if constexpr (withSlopes)
+  if constexpr (WithSlopes)
   {
     for (int i = 0; i < 3; ++i)
     {
       inverse[i] = spread(1.0) / arm[i].squared;
     }
   }
-  addFarCorner<withSlopes>(loss, arm[0], inverse[0], Arm(x1, x5), Arm(x1, x2), sum);
-  addFarCorner<withSlopes>(loss, arm[1], inverse[1], Arm(x3, x2), Arm(x3, x7), sum);
-  addFarCorner<withSlopes>(loss, arm[2], inverse[2], Arm(x4, x7), Arm(x4, x5), sum);
-  addNearCorner<withSlopes>(loss, arm, inverse, sum);
+  addFarCorner<WithSlopes>(loss, arm[0], inverse[0], Arm(x1, x5), Arm(x1, x2), sum);
+  addFarCorner<WithSlopes>(loss, arm[1], inverse[1], Arm(x3, x2), Arm(x3, x7), sum);
+  addFarCorner<WithSlopes>(loss, arm[2], inverse[2], Arm(x4, x7), Arm(x4, x5), sum);
+  addNearCorner<WithSlopes>(loss, arm, inverse, sum);
 }
 
 inline double total(const HexLanes& lanes)

@@ -60,7 +60,8 @@ The single stages have peers of their own: [Testing/Benchmarks](../Testing/Bench
 {_table(["hexahedra", "layers", "gmsh", "HexSweep", *STAGES, "source quads"], [_seconds(job) for job in jobs])}
 
 CPU seconds. "modules" is Python and VTK until they are loaded, "reading" that of the solid, "writing" with the check
-that the file is whole; "source quads" is a part of "sweep".
+that the file is whole; "source quads" is a part of "sweep" by the clock on the wall, which other work on the machine
+makes longer.
 
 ## What writing costs
 

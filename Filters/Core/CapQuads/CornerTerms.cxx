@@ -11,9 +11,6 @@ namespace hexsweep
 {
 namespace
 {
-/// Shape counts, size hardly: quads of very different sizes are wanted where a hole grows.
-constexpr double VolumeWeight = 1.0 / 128.0;
-
 /// Sine of a source corner below which a right angle is wanted instead.
 constexpr double SharpestReference = 0.2;
 

@@ -10,6 +10,10 @@
 
 namespace hexsweep
 {
+/// In distortion(). Shape counts, size hardly: quads of very different sizes are wanted where a
+/// hole grows.
+constexpr double VolumeWeight = 1.0 / 128.0;
+
 /// A function of one variable at one place.
 struct CurvePoint
 {

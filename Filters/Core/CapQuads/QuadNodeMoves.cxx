@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/QuadNodeMoves.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,10 +11,6 @@ namespace hexsweep
 {
 namespace
 {
-/// Less of it gives higher scaled Jacobians and long thin quads that twist the hexes on them.
-constexpr double DistortionWeight = 0.05;
-/// In distortion(): shape counts, size hardly.
-constexpr double VolumeWeight = 1.0 / 128.0;
 constexpr double BarrierWeight = 0.002;
 /// Added to the diagonal, relative to its mean.
 constexpr double Damping = 1e-6;

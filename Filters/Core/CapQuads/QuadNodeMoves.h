@@ -10,8 +10,6 @@
 #include "Core/CapQuads/CornerTerms.h"
 #include "Core/Common/ParallelFor.h"
 
-#include <optional>
-
 namespace hexsweep
 {
 /**
@@ -39,6 +37,10 @@ struct CornerLoss
 class QuadNodeMoves
 {
 public:
+  /// Of distortion() in the sums. Less of it gives higher scaled Jacobians and long thin quads that
+  /// twist the hexes on them.
+  static constexpr double DistortionWeight = 0.05;
+
   /// @param points n x 3, on the surface, without inverted movable corners.
   /// @param source n x 3: proportions of the quads. @param cap must stay.
   QuadNodeMoves(const CapCorners& cap, const Points& points, const PointsRef& source);

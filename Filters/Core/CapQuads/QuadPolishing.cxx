@@ -18,7 +18,6 @@ constexpr int NewtonSteps = 8;
 constexpr double Settled = 1e-3; // relative decrease of the sum that ends a descent
 constexpr int RelaxingSteps = 4;
 constexpr double Relaxed = 5e-3;
-constexpr double DistortionWeight = 0.05;
 constexpr double DistortionEpsilon = 1e-3;
 constexpr double SharpnessTogether[] = { 10.0, 20.0, 40.0, 80.0 };
 constexpr int MeanRounds = 6;
@@ -71,7 +70,8 @@ public:
         points,
         [&](std::size_t corner, const Eigen::Matrix2d& edges) {
           return sumOfTerms(jacobianTerm(edges, onSurface),
-            distortionTerm(edges, this->Inverse[corner], DistortionEpsilon), DistortionWeight);
+            distortionTerm(edges, this->Inverse[corner], DistortionEpsilon),
+            QuadNodeMoves::DistortionWeight);
         },
         steps, settled,
         [&](std::size_t corner, const CornerEdges& edges) {

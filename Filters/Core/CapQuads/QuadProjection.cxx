@@ -8,6 +8,7 @@
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Geometry/TriangleWalk.h"
+#include "Core/Surfaces/SurfaceTopology.h"
 
 #include <Eigen/Geometry>
 
@@ -95,27 +96,19 @@ class BoundaryEdges
 public:
   explicit BoundaryEdges(const TriangleMesh& mesh)
     : Mesh(mesh)
+    , Neighbors(triangleNeighbors(mesh.triangles))
     , IsOn(static_cast<std::size_t>(mesh.points.rows()), false)
   {
-    std::vector<Edge> all;
     for (Index t = 0; t < mesh.triangles.rows(); ++t)
     {
-      for (int c = 0; c < 3; ++c)
+      for (Index c = 0; c < 3; ++c)
       {
-        all.push_back(this->edgeAgainst(t, c));
+        if (this->Neighbors(t, c) < 0)
+        {
+          this->IsOn[static_cast<std::size_t>(mesh.triangles(t, c))] = true;
+          this->IsOn[static_cast<std::size_t>(mesh.triangles(t, (c + 1) % 3))] = true;
+        }
       }
-    }
-    std::sort(all.begin(), all.end());
-    for (auto edge = all.begin(); edge != all.end();)
-    {
-      const auto next = std::find_if(edge, all.end(), [&](const Edge& e) { return e != *edge; });
-      if (next - edge == 1)
-      {
-        this->Edges.push_back(*edge);
-        this->IsOn[static_cast<std::size_t>(edge->first)] = true;
-        this->IsOn[static_cast<std::size_t>(edge->second)] = true;
-      }
-      edge = next;
     }
   }
 
@@ -123,7 +116,7 @@ public:
   bool contain(Index triangle, const Eigen::RowVector3d& coordinates) const
   {
     const Index zeros = (coordinates.array() == 0.0).count();
-    for (int c = 0; c < 3; ++c)
+    for (Index c = 0; c < 3; ++c)
     {
       if (zeros == 2 && coordinates[c] != 0.0)
       {
@@ -131,24 +124,15 @@ public:
       }
       if (zeros == 1 && coordinates[c] == 0.0)
       {
-        return std::binary_search(
-          this->Edges.begin(), this->Edges.end(), this->edgeAgainst(triangle, c));
+        return this->Neighbors(triangle, (c + 1) % 3) < 0; // the edge against the corner
       }
     }
     return false;
   }
 
 private:
-  using Edge = std::pair<Index, Index>;
-
-  Edge edgeAgainst(Index triangle, int corner) const
-  {
-    return std::minmax<Index>({ this->Mesh.triangles(triangle, (corner + 1) % 3),
-      this->Mesh.triangles(triangle, (corner + 2) % 3) });
-  }
-
   const TriangleMesh& Mesh;
-  std::vector<Edge> Edges; // rising
+  Triangles Neighbors;
   std::vector<bool> IsOn;
 };
 

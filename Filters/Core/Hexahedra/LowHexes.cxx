@@ -47,7 +47,7 @@ struct PatchQuality
 PatchQuality measure(const PointsRef& points, const HexesRef& hexes)
 {
   PatchQuality result;
-  for (const HexQuality& quality : hexQualities(points, hexes))
+  for (const HexQuality& quality : hexVerdicts(points, hexes))
   {
     result.bad += quality.validity != Validity::Certified;
     result.minimum = std::min(result.minimum, quality.scaledJacobian);
@@ -80,11 +80,7 @@ HexBoxes ownBoxes(const Points& points, const Hexes& hexes)
 /// @return the work.
 double raisePatch(Points& points, const CellPatch& patch, const Progress& progress)
 {
-  Points places(static_cast<Index>(patch.nodes.size()), 3);
-  for (std::size_t i = 0; i < patch.nodes.size(); ++i)
-  {
-    places.row(static_cast<Index>(i)) = points.row(patch.nodes[i]);
-  }
+  const Points places = points(patch.nodes, Eigen::all);
   const Hexes hexes = patch.corners;
   const HexDescent descent(places, hexes, ownBoxes(places, hexes), patch.free);
   if (!descent.hasFreeNodes())

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The VTK module, its Python package and the ParaView plugin.
+# The VTK modules, their Python package and the ParaView plugin.
+include(CMake/HexSweepModule.cmake)
+
+# The folders of the modules, each with its vtk.module.
+set(hexsweep_module_folders Filters)
 
 # The plugin is scanned first: its XML files decide nothing about the module, but ParaView wants
 # to know its plugins before modules are built.
@@ -14,8 +18,12 @@ endif ()
 
 # Filters/vtk.module is a symbolic link to the one at the top level: VTK builds a module in the
 # folder of its vtk.module, and the top folder cannot be added to itself.
+set(hexsweep_module_files)
+foreach (folder IN LISTS hexsweep_module_folders)
+  list(APPEND hexsweep_module_files "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/vtk.module")
+endforeach ()
 vtk_module_scan(
-  MODULE_FILES            "${CMAKE_CURRENT_SOURCE_DIR}/Filters/vtk.module"
+  MODULE_FILES            ${hexsweep_module_files}
   PROVIDES_MODULES        hexsweep_modules
   WANT_BY_DEFAULT         ON
   HIDE_MODULES_FROM_CACHE ON

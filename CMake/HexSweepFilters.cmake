@@ -4,6 +4,9 @@ include(CMake/HexSweepModule.cmake)
 
 # The folders of the modules, each with its vtk.module.
 set(hexsweep_module_folders Filters)
+if (HEXSWEEP_HAS_CAD)
+  list(APPEND hexsweep_module_folders IO/CAD)
+endif ()
 
 # The plugin is scanned first: its XML files decide nothing about the module, but ParaView wants
 # to know its plugins before modules are built.

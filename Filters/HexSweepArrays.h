@@ -23,6 +23,30 @@ constexpr const char* CellEntityIds = "CellEntityIds";
 constexpr const char* VolumeId = "VolumeId";
 /// Field, n = 1, text: the volume's name in an Exodus file.
 constexpr const char* VolumeName = "VolumeName";
+/// Field, text: the name of face i is value i; empty where it has none.
+constexpr const char* FaceNames = "FaceNames";
+/// Field, 3 components in [0, 1]: red, green, blue of face i; negative where it has none.
+constexpr const char* FaceColors = "FaceColors";
+/// Field, n = 1, text: unit of the coordinates, as "millimetre".
+constexpr const char* LengthUnit = "LengthUnit";
+
+// Solids of vtkCADReader: the true geometry, not handed on to meshes.
+
+/// Field, unsigned char: the solid in OpenCASCADE's binary format, which keeps every bit.
+constexpr const char* CADGeometry = "CADGeometry";
+/// Fields, one a face and an edge of that: their ids, 0 for edges without length.
+constexpr const char* CADFaceIds = "CADFaceIds";
+constexpr const char* CADEdgeIds = "CADEdgeIds";
+/// Fields, in place of CADGeometry where that would be large: file (text), its checksum (text), the
+/// reader's settings (text), number of the solid.
+constexpr const char* CADFile = "CADFile";
+constexpr const char* CADChecksum = "CADChecksum";
+constexpr const char* CADSettings = "CADSettings";
+constexpr const char* CADSolid = "CADSolid";
+/// Cells of CAD edges: edge of the model, and the faces of the solid on its two sides (the same
+/// twice along a seam).
+constexpr const char* EdgeId = "EdgeId";
+constexpr const char* EdgeFaceIds = "EdgeFaceIds";
 
 // Hexahedra and linking sides.
 
@@ -199,6 +223,14 @@ constexpr const char* Size = "SweepReportSize";
 constexpr const char* MergedPoints = "SweepReportMergedPoints";
 /// Triangles of the solid without area, flipped away.
 constexpr const char* FlippedTriangles = "SweepReportFlippedTriangles";
+
+// Solids with their true geometry.
+
+/// Ids: boundary nodes that were put on the true surfaces, and those that were left on the facets.
+constexpr const char* SnappedNodes = "SweepReportSnappedNodes";
+constexpr const char* UnsnappedNodes = "SweepReportUnsnappedNodes";
+/// Measure: the longest way that a node was moved for it.
+constexpr const char* GreatestSnap = "SweepReportGreatestSnap";
 
 // Faces of solids (vtkSolidFaces).
 

@@ -7,8 +7,10 @@
 #define HexSweepBodies_h
 
 #include "Core/Common/Errors.h"
+#include "Core/Geometry/ModelGeometry.h"
 #include "Core/Solids/CanonicalSolid.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,8 @@ struct ReadBody
   CanonicalSolid solid;
   SolidSurface surface; ///< of `solid.input`; empty where there is a problem with it
   std::string problem;  ///< of one among several bodies: why it is no solid; empty: it is one
+  /// The true surfaces, where `solid.reflection` put them; nullptr: they are not known.
+  std::shared_ptr<const ModelGeometry> geometry;
 };
 
 /// A message about a body with its name, and its places as the user knows them.

@@ -78,11 +78,21 @@ vtkDataSet* inputDataSet(vtkInformationVector** inputs, int port)
 bool isIdleRank(vtkInformationVector* outputs, vtkInformationVector** inputs,
   const std::vector<std::string>& portNames)
 {
-  bool empty = false;
+  std::vector<std::pair<vtkDataSet*, std::string>> data;
   for (std::size_t port = 0; port < portNames.size(); ++port)
   {
-    vtkDataSet* data = inputDataSet(inputs, static_cast<int>(port));
-    empty = isEmptyPiece(outputs, data, portNames[port]) || empty;
+    data.emplace_back(inputDataSet(inputs, static_cast<int>(port)), portNames[port]);
+  }
+  return isIdleRank(outputs, data);
+}
+
+bool isIdleRank(
+  vtkInformationVector* outputs, const std::vector<std::pair<vtkDataSet*, std::string>>& data)
+{
+  bool empty = false;
+  for (const auto& [set, name] : data)
+  {
+    empty = isEmptyPiece(outputs, set, name) || empty;
   }
   return empty;
 }

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAlgorithm;
@@ -38,6 +39,10 @@ vtkDataSet* inputDataSet(vtkInformationVector** inputs, int port);
  */
 bool isIdleRank(vtkInformationVector* outputs, vtkInformationVector** inputs,
   const std::vector<std::string>& portNames);
+
+/// The same of data sets that have been read from their ports, each with its name.
+bool isIdleRank(
+  vtkInformationVector* outputs, const std::vector<std::pair<vtkDataSet*, std::string>>& data);
 
 /// The cell array that was chosen by SetInputArrayToProcess(0, ...); empty where none was, or where
 /// ParaView's entry for none was.

@@ -4,6 +4,7 @@
 #include "Core/Common/Describe.h"
 #include "Core/Solids/FaceQuads.h"
 #include "Core/Solids/FoundTarget.h"
+#include "Core/Solids/GeometrySnap.h"
 #include "Core/Solids/HinderingEdges.h"
 #include "Core/Solids/SolidCage.h"
 #include "Core/Solids/SolidMessages.h"
@@ -13,6 +14,7 @@
 #include "HexSweepBoundaryGrid.h"
 #include "HexSweepCapDiskGrid.h"
 #include "HexSweepChoices.h"
+#include "HexSweepFineBody.h"
 #include "HexSweepLinkingReport.h"
 #include "HexSweepRun.h"
 #include "HexSweepSolidQuads.h"
@@ -25,6 +27,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace hexsweep
@@ -42,6 +45,23 @@ void addReports(const SolidCage& cage, const SolidSurface& solid, const SweepTop
   addLinkingReport(fieldData, cage.linking);
   addReport(fieldData, reports::InvertedQuads, cage.projection.quality.inverted);
   addReport(fieldData, reports::MaximumSourceDistance, cage.greatestDistance);
+}
+
+void addSnapReport(const GeometrySnap& snap, vtkFieldData* fieldData)
+{
+  addReport(fieldData, reports::SnappedNodes, snap.moved);
+  addReport(fieldData, reports::UnsnappedNodes, snap.left);
+  addReport(fieldData, reports::GreatestSnap, snap.greatestMove);
+}
+
+/// Empty where all nodes are on the geometry.
+std::string snapWarning(const GeometrySnap& snap)
+{
+  return snap.left == 0 ? std::string()
+                        : std::to_string(snap.left) +
+      " nodes of the boundary are not on the CAD surfaces: no place on them is near, or quads "
+      "would "
+      "be turned over there. Set Size to a smaller length.";
 }
 
 /// Quads of the source cap, and the layers that go with them.
@@ -176,7 +196,21 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
 }
 }
 
-SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topology,
+namespace
+{
+/// Field data that are for the mesh too: the geometry is the solid's alone.
+void passFieldData(vtkDataSet* solid, vtkUnstructuredGrid* mesh)
+{
+  vtkFieldData* fields = mesh->GetFieldData();
+  fields->PassData(solid->GetFieldData());
+  for (const char* name : { arrays::CADGeometry, arrays::CADFaceIds, arrays::CADEdgeIds,
+         arrays::CADFile, arrays::CADChecksum, arrays::CADSettings, arrays::CADSolid })
+  {
+    fields->RemoveArray(name);
+  }
+}
+
+SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& topology,
   const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
@@ -191,17 +225,24 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
     cage.leftBorders = true;
   }
   stages.finish(cage.stages);
+  std::optional<GeometrySnap> snap;
+  if (solid.body.geometry)
+  {
+    snap = snapToGeometry(solid.body.surface, topology, *solid.body.geometry, cage,
+      progressPart(progress, 0.48, 0.5), smpFor());
+    stages.finish("Snap to geometry");
+  }
   if (!settings.targetIsNamed)
   {
     checkFoundTarget(cage.boundary, topology.targetFaceIds);
   }
 
-  hexes->GetFieldData()->PassData(solid.data->GetFieldData());
-  boundary->GetFieldData()->PassData(solid.data->GetFieldData());
+  passFieldData(solid.data, hexes);
+  passFieldData(solid.data, boundary);
   HexOutputSettings hexSettings = settings.hexes;
   hexSettings.reflection = solid.body.solid.reflection;
   const HexOutput output = writeHexes(
-    cage, sized.quads.attributes, hexSettings, stages, progressPart(progress, 0.48, 0.97), hexes);
+    cage, sized.quads.attributes, hexSettings, stages, progressPart(progress, 0.5, 0.97), hexes);
   writeBoundary(cage, solid.body.surface, topology, output.sourceIsBottom,
     hexSettings.reflection.turnsOver(), hexes, boundary);
   if (solid.body.name.empty())
@@ -221,11 +262,15 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
     addReport(hexes->GetFieldData(), reports::Weights,
       std::string(nameOf(cage.projection.target->weights)));
   }
-  stages.finish("Output");
-
   SolidSweepResult result;
   result.valid = output.warnings.empty();
   result.warnings = warningsOf(sized, cage);
+  if (snap)
+  {
+    addSnapReport(*snap, hexes->GetFieldData());
+    result.warnings.push_back(snapWarning(*snap));
+  }
+  stages.finish("Output");
   if (!result.valid)
   {
     const std::vector<std::string> more =
@@ -234,5 +279,24 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
     result.warnings.insert(result.warnings.end(), more.begin(), more.end());
   }
   return result;
+}
+}
+
+SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topology,
+  const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
+{
+  if (!solid.body.geometry)
+  {
+    return sweepFacets(solid, topology, settings, stages, progress, hexes, boundary);
+  }
+  const double size = settings.quadSize > 0.0 ? settings.quadSize : settings.size;
+  const std::optional<FineBody> fine =
+    fineBody(solid.body, topology, size, progressPart(progress, 0.0, 0.02));
+  stages.finish("Facets");
+  const Progress rest = progressPart(progress, 0.02, 1.0);
+  return fine ? sweepFacets({ solid.data, solid.sourceQuads, fine->body }, fine->topology, settings,
+                  stages, rest, hexes, boundary)
+              : sweepFacets(solid, topology, settings, stages, rest, hexes, boundary);
 }
 }

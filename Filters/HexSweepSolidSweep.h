@@ -41,6 +41,7 @@ struct SolidSweepSettings
   ProjectionMethod projection = ProjectionMethod::Harmonic;
   Weights weights = Weights::Cotangent;
   TriangulationImprovement improvement = TriangulationImprovement::Automatic;
+  bool snapToGeometry = true; ///< see vtkOneToOneSweep::SetSnapToGeometry()
   bool targetIsNamed = false; ///< one that is not may not lie behind the source
   HexOutputSettings hexes;
   /// Takes what the user should know before the work begins.

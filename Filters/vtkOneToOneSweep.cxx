@@ -7,6 +7,7 @@
 #include "HexSweepLayers.h"
 #include "HexSweepLists.h"
 #include "HexSweepRun.h"
+#include "HexSweepSolidPort.h"
 
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
@@ -34,9 +35,8 @@ vtkOneToOneSweep::vtkOneToOneSweep()
 //------------------------------------------------------------------------------
 int vtkOneToOneSweep::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composite data come here too, to be refused in words instead of block by block.
-  acceptSurfaces(info);
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  // Source quads in a collection come here too, to be refused in words instead of block by block.
+  acceptSolids(info);
   return 1;
 }
 
@@ -104,16 +104,14 @@ int vtkOneToOneSweep::RequestData(
 //------------------------------------------------------------------------------
 void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  for (const int port : { 0, 1 })
+  if (vtkCompositeDataSet::GetData(inputs[1], 0))
   {
-    if (vtkCompositeDataSet::GetData(inputs[port], 0))
-    {
-      throw InvalidInput(std::string("the ") + (port == 0 ? "solid comes" : "source quads come") +
-        " as a composite data set. Sweep one volume at a time: extract its block (in "
-        "ParaView: Extract Block, then Merge Blocks).");
-    }
+    throw InvalidInput("the source quads come as a composite data set. Give one mesh (in ParaView: "
+                       "Extract Block, then Merge Blocks).");
   }
-  if (isIdleRank(outputs, inputs, { "solid", "source quads" }))
+  const SolidPort port = readSolidPort(inputs, 0, this->SnapToGeometry);
+  vtkDataSet* solid = port.data;
+  if (isIdleRank(outputs, { { solid, "solid" }, { inputDataSet(inputs, 1), "source quads" } }))
   {
     return;
   }
@@ -135,10 +133,10 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   settings.hexes.precision = this->OutputPointsPrecision;
   settings.tell = [this](const std::string& text) { vtkWarningMacro(<< text); };
   StageClock clock;
-  vtkDataSet* solid = inputDataSet(inputs, 0);
-  const std::vector<ReadBody> bodies =
+  std::vector<ReadBody> bodies =
     readBodies(solid, chosenArray(this), solidOptions(this->MatchTolerance, this->FeatureAngle),
       { this->VolumeIds.begin(), this->VolumeIds.end() });
+  attachGeometry(port, settings.tell, bodies);
   clock.finish("Read");
   reportProgress(pipelineProgress(this), 0.02);
 
@@ -176,6 +174,7 @@ void vtkOneToOneSweep::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EnsureValid: " << (this->EnsureValid ? "On" : "Off") << "\n";
   os << indent << "ImproveQuality: " << (this->ImproveQuality ? "On" : "Off") << "\n";
   os << indent << "Certify: " << (this->Certify ? "On" : "Off") << "\n";
+  os << indent << "SnapToGeometry: " << (this->SnapToGeometry ? "On" : "Off") << "\n";
   os << indent << "FailIfInvalid: " << (this->FailIfInvalid ? "On" : "Off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

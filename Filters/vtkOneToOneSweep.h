@@ -10,7 +10,8 @@
  * of S. Cai and T. J. Tautges, "Robust One-to-One Sweeping with Harmonic S-T Mappings and Cages",
  * 22nd International Meshing Roundtable, 2013.
  *
- * Inputs, vtkUnstructuredGrid or vtkPolyData:
+ * Inputs, vtkUnstructuredGrid or vtkPolyData, the solid also as a collection of them (of
+ * vtkCADReader, say), one solid a data set:
  * - port 0 `Solid`: a closed surface (points may be repeated along edges), or a volume mesh, whose
  *   boundary is taken. The faces are told apart by a cell array, see SetInputArrayToProcess();
  *   without one by the angle between neighbouring triangles.
@@ -24,6 +25,10 @@
  *
  * The mesh depends on the solid's shape alone: the same solid numbered in another way, turned
  * inside out or reflected in a coordinate plane gives the same mesh, reflected.
+ *
+ * Where the solid brings its true surfaces (vtkCADReader, vtkModelGeometry), the boundary nodes of
+ * the mesh are put on them, see SetSnapToGeometry(). Reported as `SweepReportSnappedNodes`,
+ * `SweepReportUnsnappedNodes` and `SweepReportGreatestSnap`.
  *
  * Faces on the sides that are meshed with structured quads from source to target keep their nodes,
  * so that neighbouring volumes fit together.
@@ -194,6 +199,16 @@ public:
   ///@}
 
   ///@{
+  /// Where the solid comes with its true surfaces: divide these as finely as the hexahedra ask for,
+  /// and put the nodes of caps and sides on them, nodes of CAD edges on their curves, vertices
+  /// exactly. A node whose quads would be turned over stays on the facets and is counted in a
+  /// warning. On by default. Off uses the triangles as they are.
+  vtkSetMacro(SnapToGeometry, bool);
+  vtkGetMacro(SnapToGeometry, bool);
+  vtkBooleanMacro(SnapToGeometry, bool);
+  ///@}
+
+  ///@{
   /// Prove of each hexahedron that it is valid at every point, or that it is not. On by default.
   vtkSetMacro(Certify, bool);
   vtkGetMacro(Certify, bool);
@@ -240,6 +255,7 @@ private:
   int ImproveTriangulation = 1;
   bool EnsureValid = true;
   bool ImproveQuality = true;
+  bool SnapToGeometry = true;
   bool Certify = true;
   bool FailIfInvalid = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;

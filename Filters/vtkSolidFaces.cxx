@@ -5,6 +5,7 @@
 #include "HexSweepArrays.h"
 #include "HexSweepBodies.h"
 #include "HexSweepRun.h"
+#include "HexSweepSolidPort.h"
 #include "HexSweepWriter.h"
 
 #include <vtkDoubleArray.h>
@@ -61,7 +62,7 @@ void addRows(const std::vector<hexsweep::ReadBody>& bodies, vtkTable* table)
 //------------------------------------------------------------------------------
 int vtkSolidFaces::FillInputPortInformation(int, vtkInformation* info)
 {
-  hexsweep::acceptSurfaces(info);
+  hexsweep::acceptSolids(info);
   return 1;
 }
 
@@ -70,12 +71,13 @@ int vtkSolidFaces::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return hexsweep::runFilter(this, outputs, [&] {
-    if (hexsweep::isIdleRank(outputs, inputs, { "solid" }))
+    const hexsweep::SolidPort port = hexsweep::readSolidPort(inputs, 0, false);
+    if (hexsweep::isIdleRank(outputs, { { port.data, "solid" } }))
     {
       return;
     }
     const std::vector<hexsweep::ReadBody> bodies =
-      hexsweep::readBodies(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this),
+      hexsweep::readBodies(port.data, hexsweep::chosenArray(this),
         hexsweep::solidOptions(this->MatchTolerance, this->FeatureAngle));
     hexsweep::checkAreSolids(bodies);
     vtkTable* table = vtkTable::GetData(outputs);

@@ -6,6 +6,7 @@
 #include "HexSweepBodies.h"
 #include "HexSweepLists.h"
 #include "HexSweepRun.h"
+#include "HexSweepSolidPort.h"
 #include "HexSweepWriter.h"
 
 #include <vtkDoubleArray.h>
@@ -98,7 +99,7 @@ void addRows(const std::vector<RankedBody>& bodies, vtkTable* table)
 //------------------------------------------------------------------------------
 int vtkSweepCandidates::FillInputPortInformation(int, vtkInformation* info)
 {
-  hexsweep::acceptSurfaces(info);
+  hexsweep::acceptSolids(info);
   return 1;
 }
 
@@ -125,12 +126,13 @@ int vtkSweepCandidates::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return hexsweep::runFilter(this, outputs, [&] {
-    if (hexsweep::isIdleRank(outputs, inputs, { "solid" }))
+    const hexsweep::SolidPort port = hexsweep::readSolidPort(inputs, 0, false);
+    if (hexsweep::isIdleRank(outputs, { { port.data, "solid" } }))
     {
       return;
     }
     const std::vector<hexsweep::ReadBody> bodies =
-      hexsweep::readBodies(hexsweep::inputDataSet(inputs, 0), hexsweep::chosenArray(this),
+      hexsweep::readBodies(port.data, hexsweep::chosenArray(this),
         hexsweep::solidOptions(this->MatchTolerance, this->FeatureAngle));
     hexsweep::checkAreSolids(bodies);
     const std::vector<hexsweep::Index> sources(

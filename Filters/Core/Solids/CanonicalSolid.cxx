@@ -194,12 +194,12 @@ std::vector<Index> sortedPoints(
 }
 }
 
-CanonicalSolid canonicalSolid(const SolidInput& solid)
+CanonicalSolid canonicalSolid(const SolidInput& solid, const std::optional<Reflection>& reflection)
 {
   checkSolidInput(solid);
   const std::vector<Index> used = usedIds(solid);
   CanonicalSolid result;
-  result.reflection = chooseReflection(solid, used);
+  result.reflection = reflection ? *reflection : chooseReflection(solid, used);
   const Points points = reflected(solid.points, result.reflection);
   const std::vector<Index> pointOrder = sortedPoints(points, solid.triangles, used);
   std::vector<Index> number(static_cast<std::size_t>(points.rows()), -1);

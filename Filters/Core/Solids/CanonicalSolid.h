@@ -10,6 +10,8 @@
 #include "Core/Geometry/Reflection.h"
 #include "Core/Solids/SolidInput.h"
 
+#include <optional>
+
 namespace hexsweep
 {
 struct CanonicalSolid
@@ -29,9 +31,11 @@ struct CanonicalSolid
  *
  * Costs O(n log n).
  *
+ * @param reflection the one to take in place of that; nothing: the shape decides.
  * @throw InvalidInput as checkSolidInput().
  */
-CanonicalSolid canonicalSolid(const SolidInput& solid);
+CanonicalSolid canonicalSolid(
+  const SolidInput& solid, const std::optional<Reflection>& reflection = std::nullopt);
 }
 
 #endif

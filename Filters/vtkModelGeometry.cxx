@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkModelGeometry.h"
+
+#include "Core/Geometry/ModelGeometry.h"
+#include "HexSweepArrays.h"
+
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationObjectBaseKey.h>
+#include <vtkObjectFactory.h>
+
+#include <utility>
+
+vtkStandardNewMacro(vtkModelGeometry);
+vtkInformationKeyMacro(vtkModelGeometry, MODEL_GEOMETRY, ObjectBase);
+
+namespace
+{
+vtkModelGeometry::Restorer& restorer()
+{
+  static vtkModelGeometry::Restorer known = nullptr;
+  return known;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkModelGeometry::vtkModelGeometry() = default;
+vtkModelGeometry::~vtkModelGeometry() = default;
+
+//------------------------------------------------------------------------------
+void vtkModelGeometry::SetGeometry(Geometry geometry)
+{
+  this->Model = std::move(geometry);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkModelGeometry::SetRestorer(Restorer known)
+{
+  restorer() = known;
+}
+
+//------------------------------------------------------------------------------
+vtkModelGeometry::Geometry vtkModelGeometry::Of(vtkDataObject* data, std::string& problem)
+{
+  if (!data)
+  {
+    return nullptr;
+  }
+  if (auto* own = vtkModelGeometry::SafeDownCast(
+        data->GetInformation()->Get(vtkModelGeometry::MODEL_GEOMETRY())))
+  {
+    return own->GetGeometry();
+  }
+  vtkFieldData* fields = data->GetFieldData();
+  if (!fields || !fields->HasArray(hexsweep::arrays::CADFaceIds))
+  {
+    return nullptr;
+  }
+  if (!restorer())
+  {
+    problem = "the solid brings its CAD geometry, but HexSweep was built without OpenCASCADE";
+    return nullptr;
+  }
+  return restorer()(data, problem);
+}
+
+//------------------------------------------------------------------------------
+void vtkModelGeometry::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Geometry: " << (this->Model ? "yes" : "no") << "\n";
+}

@@ -7,6 +7,11 @@ if (HEXSWEEP_USE_OPENCASCADE)
   find_package(OpenCASCADE QUIET)
   if (OpenCASCADE_FOUND AND OpenCASCADE_VERSION VERSION_GREATER_EQUAL 7.6)
     set(HEXSWEEP_HAS_CAD ON)
+    # 7.8 has other names for the toolkits of STEP and IGES.
+    set(hexsweep_cad_exchange TKXDESTEP TKSTEP TKXDEIGES TKIGES)
+    if (TARGET TKDESTEP)
+      set(hexsweep_cad_exchange TKDESTEP TKDEIGES)
+    endif ()
     message(STATUS "HexSweep: CAD reader with OpenCASCADE ${OpenCASCADE_VERSION}")
   else ()
     message(STATUS "HexSweep: no CAD reader: OpenCASCADE 7.6 or later was not found (Debian: "

@@ -29,8 +29,8 @@ double sizeOf(const Points& points)
 }
 }
 
-std::optional<FineBody> fineBody(
-  const ReadBody& body, const SweepTopology& topology, double size, const Progress& progress)
+std::optional<FineBody> fineBody(const ReadBody& body, const SweepTopology& topology, double size,
+  double chordTolerance, const Progress& progress)
 {
   if (body.solid.input.quads.rows() > 0)
   {
@@ -44,8 +44,10 @@ std::optional<FineBody> fineBody(
       size = defaultQuadSize(
         surfacePart(coarse.points, coarse.triangles, topology.sourceTriangles).mesh);
     }
+    // An edge of the quads turns by eight times this.
+    const double angle = chordTolerance > 0.0 ? std::min(Angle, 4.0 * chordTolerance) : Angle;
     const double deflection = std::max(Deflection * size, LeastDeflection * sizeOf(coarse.points));
-    std::optional<ModelFacets> facets = body.geometry->facets(deflection, Angle, progress);
+    std::optional<ModelFacets> facets = body.geometry->facets(deflection, angle, progress);
     if (!facets)
     {
       return std::nullopt;

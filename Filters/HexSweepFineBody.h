@@ -25,12 +25,13 @@ struct FineBody
  * nodes then move little when they are put on the surfaces, however coarse the given triangles are.
  *
  * @param body with `geometry`. @param size of the hexahedra; 0: of the default.
+ * @param chordTolerance of the source quads, see CapQuadOptions: facets turn less than these.
  * @return nothing where the given triangles have to do: they are quads already, or the kernel does
  *         not give a closed surface that can be swept between these caps.
  * @throw Aborted.
  */
-std::optional<FineBody> fineBody(
-  const ReadBody& body, const SweepTopology& topology, double size, const Progress& progress = {});
+std::optional<FineBody> fineBody(const ReadBody& body, const SweepTopology& topology, double size,
+  double chordTolerance, const Progress& progress = {});
 
 /**
  * Whether the triangles lie on the geometry, as they do not when they were moved since they were

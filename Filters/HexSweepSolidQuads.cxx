@@ -38,7 +38,7 @@ SourceCapQuads madeQuads(SourceQuads made)
 }
 
 SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topology, double size,
-  const Progress& progress, bool withBorders)
+  double chordTolerance, const Progress& progress, bool withBorders)
 {
   SourceCapQuads result;
   const SolidInput& input = solid.body.solid.input;
@@ -59,7 +59,7 @@ SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topol
     result.origin = "Solid";
     return result;
   }
-  return madeQuads(
-    makeSourceQuads(input, solid.body.surface, topology, size, progress, withBorders));
+  return madeQuads(makeSourceQuads(
+    input, solid.body.surface, topology, size, progress, withBorders, chordTolerance));
 }
 }

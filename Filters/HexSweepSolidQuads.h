@@ -31,11 +31,12 @@ struct SourceCapQuads
  * The quads of the input, else those that the solid has on its source faces, else new ones.
  *
  * @param withBorders whether new quads keep the borders between the target's faces.
+ * @param chordTolerance of new quads, see CapQuadOptions.
  * @param size of new quads; 0: see defaultQuadSize().
  * @throw InvalidInput when the input is no quad mesh, or for a size out of range.
  */
 SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topology, double size,
-  const Progress& progress, bool withBorders);
+  double chordTolerance, const Progress& progress, bool withBorders);
 }
 
 #endif

@@ -83,7 +83,7 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
   }
   const double wanted = settings.quadSize != 0.0 ? settings.quadSize : settings.size;
   const auto quadsOf = [&](double size) {
-    return sourceQuads(solid, topology, size, progress, withBorders);
+    return sourceQuads(solid, topology, size, settings.chordTolerance, progress, withBorders);
   };
   SizedQuads result{ quadsOf(wanted), settings.layers, settings.size, 0.0 };
   double width = meanHexWidth(solid.body.surface, topology, result.quads.mesh);
@@ -291,8 +291,8 @@ SolidSweepResult sweepSolid(const SolidToSweep& solid, const SweepTopology& topo
     return sweepFacets(solid, topology, settings, stages, progress, hexes, boundary);
   }
   const double size = settings.quadSize > 0.0 ? settings.quadSize : settings.size;
-  const std::optional<FineBody> fine =
-    fineBody(solid.body, topology, size, progressPart(progress, 0.0, 0.02));
+  const std::optional<FineBody> fine = fineBody(
+    solid.body, topology, size, settings.chordTolerance, progressPart(progress, 0.0, 0.02));
   stages.finish("Facets");
   const Progress rest = progressPart(progress, 0.02, 1.0);
   return fine ? sweepFacets({ solid.data, solid.sourceQuads, fine->body }, fine->topology, settings,

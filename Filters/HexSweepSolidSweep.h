@@ -33,8 +33,9 @@ struct SolidToSweep
 
 struct SolidSweepSettings
 {
-  double size = 0.0;     ///< see vtkOneToOneSweep::SetSize()
-  double quadSize = 0.0; ///< not 0: counts instead of `size`
+  double size = 0.0;           ///< see vtkOneToOneSweep::SetSize()
+  double quadSize = 0.0;       ///< not 0: counts instead of `size`
+  double chordTolerance = 0.0; ///< see vtkOneToOneSweep::SetChordTolerance()
   /// Where they name neither number, size nor positions, `size` counts.
   LayerRequest layers;
   double matchTolerance = 1e-6;

@@ -120,6 +120,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   SolidSweepSettings settings;
   settings.size = this->Size;
   settings.quadSize = this->QuadSize;
+  settings.chordTolerance = this->ChordTolerance;
   settings.layers = requestedLayers(this, true);
   settings.matchTolerance = this->MatchTolerance;
   settings.projection = projectionMethod("ProjectionMethod", this->ProjectionMethod);
@@ -165,6 +166,7 @@ void vtkOneToOneSweep::PrintSelf(ostream& os, vtkIndent indent)
   printList(os, indent, "VolumeIds", this->VolumeIds);
   os << indent << "Size: " << this->Size << "\n";
   os << indent << "QuadSize: " << this->QuadSize << "\n";
+  os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
   os << indent << "Method: " << this->Method << "\n";

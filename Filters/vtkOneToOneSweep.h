@@ -125,6 +125,14 @@ public:
   ///@}
 
   ///@{
+  /// How high curves and surfaces of the source cap may rise above the edges of quads that are
+  /// made, over the edges' length, in [0, 0.5]: where they bend more, quads are smaller than asked
+  /// for, down to a fiftieth. 0.05 puts 16 edges on a circle. 0 (the default): any height.
+  vtkSetMacro(ChordTolerance, double);
+  vtkGetMacro(ChordTolerance, double);
+  ///@}
+
+  ///@{
   /// Degrees, in (0, 180): where there are no face ids, neighbouring triangles whose normals differ
   /// by less are on one face. 30 by default.
   vtkSetMacro(FeatureAngle, double);
@@ -247,6 +255,7 @@ private:
   std::vector<vtkIdType> VolumeIds;
   double Size = 0.0;
   double QuadSize = 0.0;
+  double ChordTolerance = 0.0;
   double FeatureAngle = 30.0;
   double MatchTolerance = 1e-6;
   int Method = 0;

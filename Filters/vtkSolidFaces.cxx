@@ -15,13 +15,17 @@
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkDataSet.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 vtkStandardNewMacro(vtkSolidFaces);
 
 namespace
 {
-void addRows(const std::vector<hexsweep::ReadBody>& bodies, vtkTable* table)
+/// @param names by face id; nullptr: there are none.
+void addRows(
+  const std::vector<hexsweep::ReadBody>& bodies, vtkStringArray* names, vtkTable* table)
 {
   vtkNew<vtkIdTypeArray> volumes;
   volumes->SetName(hexsweep::arrays::VolumeId);
@@ -30,6 +34,10 @@ void addRows(const std::vector<hexsweep::ReadBody>& bodies, vtkTable* table)
   vtkNew<vtkDoubleArray> areas;
   vtkNew<vtkDoubleArray> centers;
   vtkNew<vtkDoubleArray> flatness;
+  vtkNew<vtkStringArray> own;
+  vtkNew<vtkStringArray> types;
+  own->SetName("Name");
+  types->SetName("Surface");
   ids->SetName("FaceId");
   triangles->SetName("Triangles");
   areas->SetName("Area");
@@ -48,6 +56,9 @@ void addRows(const std::vector<hexsweep::ReadBody>& bodies, vtkTable* table)
       centers->InsertNextTuple(center.data());
       flatness->InsertNextValue(face.flatness);
       volumes->InsertNextValue(body.volumeId);
+      const bool isNamed = names && face.id >= 0 && face.id < names->GetNumberOfValues();
+      own->InsertNextValue(isNamed ? names->GetValue(face.id) : vtkStdString());
+      types->InsertNextValue(body.geometry ? body.geometry->surfaceType(face.id) : std::string());
     }
   }
   table->AddColumn(ids);
@@ -56,6 +67,8 @@ void addRows(const std::vector<hexsweep::ReadBody>& bodies, vtkTable* table)
   table->AddColumn(centers);
   table->AddColumn(flatness);
   table->AddColumn(volumes);
+  table->AddColumn(own);
+  table->AddColumn(types);
 }
 }
 
@@ -71,17 +84,22 @@ int vtkSolidFaces::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return hexsweep::runFilter(this, outputs, [&] {
-    const hexsweep::SolidPort port = hexsweep::readSolidPort(inputs, 0, false);
+    const hexsweep::SolidPort port = hexsweep::readSolidPort(inputs, 0, true);
     if (hexsweep::isIdleRank(outputs, { { port.data, "solid" } }))
     {
       return;
     }
-    const std::vector<hexsweep::ReadBody> bodies =
+    std::vector<hexsweep::ReadBody> bodies =
       hexsweep::readBodies(port.data, hexsweep::chosenArray(this),
         hexsweep::solidOptions(this->MatchTolerance, this->FeatureAngle));
     hexsweep::checkAreSolids(bodies);
+    hexsweep::attachGeometry(
+      port, [this](const std::string& text) { vtkWarningMacro(<< text); }, bodies);
     vtkTable* table = vtkTable::GetData(outputs);
-    addRows(bodies, table);
+    addRows(bodies,
+      vtkStringArray::SafeDownCast(
+        port.data->GetFieldData()->GetAbstractArray(hexsweep::arrays::FaceNames)),
+      table);
     hexsweep::addReport(table->GetFieldData(), hexsweep::reports::FacesByAngle,
       static_cast<hexsweep::Index>(bodies.front().surface.facesByAngle));
   });

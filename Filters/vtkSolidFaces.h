@@ -11,7 +11,10 @@
  * - `FaceId`,
  * - `Triangles`: how many,
  * - `Area`, and `Center` (3 components): the area's centroid, in the unit of the coordinates,
- * - `Flatness`, in [0, 1]: 1 for a plane face, 0 for one that closes round.
+ * - `Flatness`, in [0, 1]: 1 for a plane face, 0 for one that closes round,
+ * - `VolumeId`: the body,
+ * - `Name` and `Surface`: what a CAD file calls the face, and its kind of surface ("plane",
+ *   "cylinder", ...); empty where they are not known.
  * Its field data tell whether the faces were found by angle (`SweepReportFacesByAngle`, 0 or 1).
  *
  * A surface that does not bound a solid raises one error, as in vtkOneToOneSweep.

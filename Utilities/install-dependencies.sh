@@ -19,6 +19,8 @@ packages=(
   libfreetype-dev libpng-dev libjpeg-dev libtiff-dev liblz4-dev liblzma-dev libutfcpp-dev
   # the numerics and their tests
   libeigen3-dev libopenmesh-dev libgtest-dev
+  # the CAD kernel, and TBB, which its CMake files name
+  libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev
   # a display without a screen, and mpirun for the parallel test
   xvfb xauth openmpi-bin libopenmpi-dev
   "$@"

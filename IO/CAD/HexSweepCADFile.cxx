@@ -72,6 +72,19 @@ const Unit& unitNamed(const std::string& name)
   return *found;
 }
 
+/// A unit as STEP files call it, in small letters; millimetre where that is not known.
+const Unit& unitCalled(std::string name)
+{
+  const std::size_t american = name.rfind("meter");
+  if (american != std::string::npos)
+  {
+    name.replace(american, 5, "metre");
+  }
+  const auto* found = std::find_if(Units.begin(), Units.end(),
+    [&](const Unit& own) { return name == own.name || name == lower(own.kernelName); });
+  return found == Units.end() ? Units.front() : *found;
+}
+
 /// What the kernel calls a unit in a file; millimetre where that says nothing.
 const Unit& unitOfFile(UnitsMethods_LengthUnit unit)
 {
@@ -142,6 +155,15 @@ public:
   throw InvalidInput(fileName + ": " + why);
 }
 
+std::string beginOf(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  std::string begin(256, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  return begin;
+}
+
 /// Files that end before their end mark may still be parsed, with whatever is missing.
 void checkIsWhole(const std::string& fileName)
 {
@@ -177,9 +199,8 @@ CADModel readSTEP(
   TColStd_SequenceOfAsciiString solidAngles;
   reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
   const Unit& unit = !options.lengthUnit.empty() ? unitNamed(options.lengthUnit)
-    : lengths.IsEmpty()
-    ? Units.front()
-    : unitOfFile(UnitsMethods::LengthUnitFromString(lengths.First().ToCString(), false));
+    : lengths.IsEmpty()                          ? Units.front()
+                                                 : unitCalled(lower(lengths.First().ToCString()));
   const KernelUnit kernelUnit(unit.kernelName);
   Document document;
   XCAFDoc_DocumentTool::SetLengthUnit(document.Handle, 1.0, unit.unit);
@@ -233,8 +254,14 @@ CADModel readBREP(
   TopoDS_Shape shape;
   opencascade::handle<CADProgress> shown = new CADProgress(progress);
   const BRep_Builder builder;
-  const bool read = BRepTools::Read(shape, fileName.c_str(), builder, shown->Start()) ||
-    BinTools::Read(shape, fileName.c_str());
+  // The kernel prints to the console where it is given another one's file.
+  const std::string begin = beginOf(fileName);
+  const bool read = begin.find("CASCADE Topology") == std::string::npos &&
+      begin.rfind("DBRep_DrawableShape", 0) != 0
+    ? false
+    : begin.rfind("Open CASCADE Topology", 0) == 0
+    ? BinTools::Read(shape, fileName.c_str(), shown->Start())
+    : BRepTools::Read(shape, fileName.c_str(), builder, shown->Start());
   shown->check();
   if (!read || shape.IsNull())
   {

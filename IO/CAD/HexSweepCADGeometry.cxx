@@ -125,6 +125,13 @@ std::optional<Eigen::RowVector3d> CADGeometry::normalOnFace(
 }
 
 //------------------------------------------------------------------------------
+std::string CADGeometry::surfaceType(Index faceId) const
+{
+  const CADSurface* surface = this->surface(faceId);
+  return surface ? surface->type() : std::string();
+}
+
+//------------------------------------------------------------------------------
 std::vector<Index> CADGeometry::edgesBetween(Index faceId, Index otherFaceId) const
 {
   const auto found = this->Between.find(std::minmax(faceId, otherFaceId));

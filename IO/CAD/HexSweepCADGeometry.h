@@ -36,6 +36,7 @@ public:
     Index faceId, const Eigen::RowVector3d& place) const override;
   std::optional<Eigen::RowVector3d> normalOnFace(
     Index faceId, const Eigen::RowVector3d& place) const override;
+  std::string surfaceType(Index faceId) const override;
   std::vector<Index> edgesBetween(Index faceId, Index otherFaceId) const override;
   std::optional<Eigen::RowVector3d> closestOnEdge(
     Index edgeId, const Eigen::RowVector3d& place) const override;

@@ -43,6 +43,16 @@ bool saysNothing(const std::string& name)
     name == "SHELL" || name == "''" || name == " ";
 }
 
+/// Instances are often numbered instead of named: "18", "NAUO18".
+bool isNumber(std::string name)
+{
+  if (name.rfind("NAUO", 0) == 0)
+  {
+    name.erase(0, 4);
+  }
+  return name.find_first_not_of("0123456789") == std::string::npos;
+}
+
 std::optional<CADColor> colorOf(XCAFDoc_ColorTool& colors, const TDF_Label& label)
 {
   for (const XCAFDoc_ColorType type : { XCAFDoc_ColorSurf, XCAFDoc_ColorGen })
@@ -92,7 +102,10 @@ public:
       return;
     }
     const std::string product = nameOf(label);
-    this->Model.products.push_back({ saysNothing(product) ? instance : product, parent });
+    this->Model.products.push_back({ !saysNothing(product) ? product
+        : saysNothing(instance) || isNumber(instance)      ? std::string()
+                                                           : instance,
+      parent });
     const auto row = static_cast<std::ptrdiff_t>(this->Model.products.size()) - 1;
     if (XCAFDoc_ShapeTool::IsAssembly(label))
     {
@@ -129,16 +142,15 @@ public:
 
   CADModel finish()
   {
-    const auto tell = [&](const std::vector<TopoDS_Shape>& shapes, const char* one) {
-      if (!shapes.empty())
+    const auto tell = [&](std::size_t count, const char* one, const char* several) {
+      if (count > 0)
       {
-        this->Model.leftOut.push_back(
-          std::to_string(shapes.size()) + " " + one + (shapes.size() == 1 ? "" : "s"));
+        this->Model.leftOut.push_back(std::to_string(count) + " " + (count == 1 ? one : several));
       }
     };
-    tell(this->Sheets, "sheet body without volume");
-    tell(this->Wires, "wire");
-    tell(this->Vertices, "free vertex");
+    tell(this->Sheets.size(), "sheet body without volume", "sheet bodies without volume");
+    tell(this->Wires.size(), "wire", "wires");
+    tell(this->Vertices.size(), "free vertex", "free vertices");
     this->Model.sheets = std::move(this->Sheets);
     return std::move(this->Model);
   }

@@ -6,12 +6,14 @@
 #include "Core/Solids/SolidMessages.h"
 #include "HexSweepCADRun.h"
 
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <TopExp_Explorer.hxx>
@@ -20,17 +22,25 @@
 #include <TopoDS_Solid.hxx>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hexsweep
 {
 namespace
 {
 constexpr std::size_t MostWords = 6;
+/// Of the size of all sheets: IGES files have each edge twice, once a face.
+constexpr double SewingTolerance = 1e-5;
 
 /// Closed shells among the sheets, each a solid.
 void sewSheets(CADModel& model)
 {
-  BRepBuilderAPI_Sewing sewing;
+  Bnd_Box box;
+  for (const TopoDS_Shape& sheet : model.sheets)
+  {
+    BRepBndLib::Add(sheet, box, false);
+  }
+  BRepBuilderAPI_Sewing sewing(SewingTolerance * std::sqrt(box.SquareExtent()));
   for (const TopoDS_Shape& sheet : model.sheets)
   {
     sewing.Add(sheet);

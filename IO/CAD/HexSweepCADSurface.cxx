@@ -8,6 +8,7 @@
 #include <GCPnts_TangentialDeflection.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <GeomAdaptor_Curve.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -90,6 +91,35 @@ CADSurface::CADSurface(const TopoDS_Face& face, double scale)
     }
   }
   this->Facets.emplace(std::move(corners));
+}
+
+//------------------------------------------------------------------------------
+std::string CADSurface::type() const
+{
+  switch (GeomAdaptor_Surface(this->Surface).GetType())
+  {
+    case GeomAbs_Plane:
+      return "plane";
+    case GeomAbs_Cylinder:
+      return "cylinder";
+    case GeomAbs_Cone:
+      return "cone";
+    case GeomAbs_Sphere:
+      return "sphere";
+    case GeomAbs_Torus:
+      return "torus";
+    case GeomAbs_BezierSurface:
+    case GeomAbs_BSplineSurface:
+      return "spline";
+    case GeomAbs_SurfaceOfExtrusion:
+      return "extrusion";
+    case GeomAbs_SurfaceOfRevolution:
+      return "revolution";
+    case GeomAbs_OffsetSurface:
+      return "offset";
+    default:
+      return "other";
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include <TopoDS_Face.hxx>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hexsweep
@@ -39,6 +40,8 @@ public:
   CADSurface(const TopoDS_Face& face, double scale);
 
   std::optional<CADSurfacePlace> closest(const Eigen::RowVector3d& place) const;
+
+  std::string type() const; ///< see ModelGeometry::surfaceType()
 
   /// Outward for the solid that the face was taken from.
   std::optional<Eigen::RowVector3d> normal(const CADSurfacePlace& place) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/CapMeshing.h"
 
+#include "Core/CapQuads/ChordLengths.h"
 #include "Core/CapQuads/CurveDivision.h"
 #include "Core/CapQuads/CurveNodes.h"
 #include "Core/CapQuads/MidpointSubdivision.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace hexsweep
 {
@@ -30,6 +32,7 @@ constexpr double MaximumQuads = 50e6;
 /// are as large as squares of the wanted size.
 constexpr double TriangleSize = 2.32;
 constexpr double Growth = 0.4;
+constexpr double LeastOfChord = 0.02; // of the size: chords ask for nothing shorter
 constexpr double DefaultQuads = 1000.0;
 constexpr double MostDefaultQuads = 16000.0;
 constexpr double DefaultLoopEdges = 12.0;
@@ -41,6 +44,11 @@ void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
   {
     throw InvalidInput("the cap has " + std::to_string(cap.triangles.rows()) + " triangles, but " +
       std::to_string(faceIds.size()) + " face ids were given. Give one a triangle, or none.");
+  }
+  if (!(options.chordTolerance >= 0.0 && options.chordTolerance <= 0.5))
+  {
+    throw InvalidInput("the chord tolerance is " + describe(options.chordTolerance) +
+      ". Set ChordTolerance to a share of the edges' length, from 0 (off) to 0.5.");
   }
   if (!(options.size > 0.0) || !std::isfinite(options.size))
   {
@@ -71,6 +79,21 @@ void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
         "cap only.");
     }
   }
+}
+
+/// Of the triangles, where curvature limits them.
+LengthLimit longestEdges(
+  const TriangleMesh& cap, const std::vector<Index>& faceIds, const CapQuadOptions& options)
+{
+  if (!(options.chordTolerance > 0.0))
+  {
+    return {};
+  }
+  const auto chords = std::make_shared<ChordLengths>(cap, faceIds, options.chordTolerance);
+  const double least = LeastOfChord * options.size;
+  return [chords, least](const Eigen::RowVector3d& place) {
+    return TriangleSize * std::max(least, chords->at(place));
+  };
 }
 
 /// Whether each curve consists of edges to keep, and these can be edges of the quads.
@@ -128,12 +151,13 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   const std::vector<CapCurve> curves =
     traceCapCurves(cap, topology.loops, faceIds, options.keep, options.size);
   const std::vector<bool> kept = keptCurves(curves, options.keepEdges);
-  std::vector<std::vector<double>> divided = divideCapCurves(cap, curves, 2.0 * options.size);
+  std::vector<std::vector<double>> divided =
+    divideCapCurves(cap, curves, 2.0 * options.size, options.chordTolerance);
   divideAtEverySecondPoint(cap.points, curves, kept, divided);
   const DividedCap prepared = putNodesOnCurves(cap, curves, divided, options.keep);
   const SurfaceSearch surface(cap);
-  RemeshedSurface remeshed = remeshSurface(
-    prepared.input, surface, TriangleSize * options.size, Growth, progressPart(progress, 0.0, 0.5));
+  RemeshedSurface remeshed = remeshSurface(prepared.input, surface, TriangleSize * options.size,
+    Growth, progressPart(progress, 0.0, 0.5), longestEdges(cap, faceIds, options));
 
   const std::vector<CurveEdge> onCurves = curveEdges(prepared, remeshed.pointOf, kept);
   std::vector<std::pair<Index, Index>> keptEdges;

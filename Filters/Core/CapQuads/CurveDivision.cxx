@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/CurveDivision.h"
 
+#include "Core/CapQuads/ChordLengths.h"
 #include "Core/Common/Constants.h"
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
@@ -27,7 +28,8 @@ constexpr double FacingCosine = 0.8;  // between conormals and the way across a 
 constexpr double WedgeReach = 4.0;
 constexpr double LeastOfCurve = 0.02; // of the size: shorter curves ask for nothing shorter
 constexpr double TurnOfEdge = 0.5 * Pi;
-constexpr double LeastOfTurn = 0.5; // of the size: bends ask for nothing shorter
+constexpr double LeastOfTurn = 0.5;   // of the size: bends ask for nothing shorter
+constexpr double LeastOfChord = 0.02; // of the size: chords ask for nothing shorter
 constexpr Index LeastLoopEdges = 4;
 constexpr double MaximumEdges = 10e6;
 
@@ -48,9 +50,11 @@ struct Link
 class EdgeLengths
 {
 public:
-  EdgeLengths(const TriangleMesh& cap, const std::vector<CapCurve>& curves, double size)
+  EdgeLengths(const TriangleMesh& cap, const std::vector<CapCurve>& curves, double size,
+    double chordTolerance)
     : Curves(curves)
     , Size(size)
+    , ChordTolerance(chordTolerance)
   {
     for (const CapCurve& curve : curves)
     {
@@ -115,8 +119,13 @@ private:
           bend += turn[static_cast<std::size_t>(k)];
         }
         bend /= static_cast<double>(2 * reach + 1) * length / static_cast<double>(n);
-        const double bent =
+        double bent =
           bend > 0.0 ? std::max(LeastOfTurn * this->Size, TurnOfEdge / bend) : this->Size;
+        if (this->ChordTolerance > 0.0)
+        {
+          bent = std::min(bent,
+            std::max(LeastOfChord * this->Size, 2.0 * chordLength(this->ChordTolerance, bend)));
+        }
         this->Samples.push_back(
           { static_cast<Index>(c), length * static_cast<double>(j) / static_cast<double>(n),
             std::min({ this->Size, part, bent }) });
@@ -273,6 +282,7 @@ private:
 
   const std::vector<CapCurve>& Curves;
   double Size;
+  double ChordTolerance;
   std::vector<ArcLengthChain> Chains;
   std::vector<Sample> Samples;
   std::vector<std::size_t> First; // sample of each curve, and one past the last
@@ -336,9 +346,9 @@ std::vector<Index> edgeCounts(
 }
 
 std::vector<std::vector<double>> divideCapCurves(
-  const TriangleMesh& cap, const std::vector<CapCurve>& curves, double size)
+  const TriangleMesh& cap, const std::vector<CapCurve>& curves, double size, double chordTolerance)
 {
-  const EdgeLengths lengths(cap, curves, size);
+  const EdgeLengths lengths(cap, curves, size, chordTolerance);
   std::vector<std::vector<double>> wanted;
   for (std::size_t c = 0; c < curves.size(); ++c)
   {

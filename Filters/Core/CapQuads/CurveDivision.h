@@ -21,11 +21,12 @@ namespace hexsweep
  *
  * @param curves of the cap, see traceCapCurves().
  * @param size   wanted length, > 0.
+ * @param chordTolerance see CapQuadOptions; of edges half as long as these.
  * @throw InvalidInput where walls are so thin that more than 10 million edges would result.
  * @return one list a curve: arc lengths of its nodes from 0 to its whole length, rising.
  */
-std::vector<std::vector<double>> divideCapCurves(
-  const TriangleMesh& cap, const std::vector<CapCurve>& curves, double size);
+std::vector<std::vector<double>> divideCapCurves(const TriangleMesh& cap,
+  const std::vector<CapCurve>& curves, double size, double chordTolerance = 0.0);
 }
 
 #endif

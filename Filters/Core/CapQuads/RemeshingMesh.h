@@ -12,10 +12,14 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include <cstdint>
+#include <functional>
 #include <unordered_set>
 
 namespace hexsweep
 {
+/// The longest edges that are wanted at a place.
+using LengthLimit = std::function<double(const Eigen::RowVector3d&)>;
+
 /// A triangulation and the curves that its remeshing is to keep.
 struct RemeshingInput
 {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <utility>
 
 namespace hexsweep
 {
@@ -22,11 +23,12 @@ constexpr double FlatShape = -0.01;
 constexpr double FlipMargin = 1e-9;
 }
 
-TriangleRemesher::TriangleRemesher(
-  const RemeshingInput& input, const SurfaceSearch& surface, double size, double growth)
+TriangleRemesher::TriangleRemesher(const RemeshingInput& input, const SurfaceSearch& surface,
+  double size, double growth, LengthLimit longest)
   : Surface(surface)
   , Size(size)
   , Growth(growth)
+  , Longest(std::move(longest))
   , Mesh(input, surface, size)
 {
 }
@@ -38,7 +40,8 @@ void TriangleRemesher::updateSizes()
   for (const auto v : this->Mesh.halfEdges().vertices())
   {
     RemeshingMesh::VertexData& data = this->Mesh.data(v);
-    data.wanted = data.spacing;
+    data.wanted =
+      this->Longest ? std::min(data.spacing, this->Longest(this->Mesh.position(v))) : data.spacing;
     open.emplace(data.wanted, v.idx());
   }
   while (!open.empty())

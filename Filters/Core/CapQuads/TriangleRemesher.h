@@ -19,9 +19,10 @@ public:
    * @param surface new and moved vertices are put on it; must outlive the remesher.
    * @param size    wanted edge length away from the curves.
    * @param growth  of the wanted length with the distance from shorter edges on curves.
+   * @param longest of the wanted length at a place; empty: `size`.
    */
-  TriangleRemesher(
-    const RemeshingInput& input, const SurfaceSearch& surface, double size, double growth);
+  TriangleRemesher(const RemeshingInput& input, const SurfaceSearch& surface, double size,
+    double growth, LengthLimit longest = {});
 
   /// Sets the wanted length at each vertex from the edges on the curves.
   void updateSizes();
@@ -54,6 +55,7 @@ private:
   const SurfaceSearch& Surface;
   double Size;
   double Growth;
+  LengthLimit Longest;
   RemeshingMesh Mesh;
 };
 }

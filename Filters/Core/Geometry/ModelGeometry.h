@@ -9,6 +9,7 @@
 #include "Core/Common/Mesh.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hexsweep
@@ -44,6 +45,10 @@ public:
   /// where the surface has none (at the tip of a cone).
   virtual std::optional<Eigen::RowVector3d> normalOnFace(
     Index faceId, const Eigen::RowVector3d& place) const = 0;
+
+  /// What kind of surface a face has, in a word: "plane", "cylinder", "cone", "sphere", "torus",
+  /// "spline", "extrusion", "revolution", "offset", else "other"; empty when there is no such face.
+  virtual std::string surfaceType(Index faceId) const = 0;
 
   /// Ids of the edges that two different faces share, rising.
   virtual std::vector<Index> edgesBetween(Index faceId, Index otherFaceId) const = 0;

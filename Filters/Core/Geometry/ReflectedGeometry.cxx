@@ -28,6 +28,11 @@ public:
     return this->turned(this->Geometry->normalOnFace(faceId, this->turned(place)));
   }
 
+  std::string surfaceType(Index faceId) const override
+  {
+    return this->Geometry->surfaceType(faceId);
+  }
+
   std::vector<Index> edgesBetween(Index faceId, Index otherFaceId) const override
   {
     return this->Geometry->edgesBetween(faceId, otherFaceId);

@@ -276,7 +276,8 @@ double edgesOnCurves(
   const std::vector<CapCurve> curves =
     traceCapCurves(cap, loops, faceIds, options.keep, options.size);
   double edges = 0.0;
-  for (const std::vector<double>& curve : divideCapCurves(cap, curves, 2.0 * options.size))
+  for (const std::vector<double>& curve :
+    divideCapCurves(cap, curves, 2.0 * options.size, options.chordTolerance))
   {
     edges += static_cast<double>(curve.size() - 1);
   }
@@ -411,7 +412,8 @@ std::optional<SweepProjection> firstProjection(
 }
 
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
-  const SweepTopology& topology, double size, const Progress& progress, bool withBorders)
+  const SweepTopology& topology, double size, const Progress& progress, bool withBorders,
+  double chordTolerance)
 {
   if (!(size >= 0.0) || !std::isfinite(size))
   {
@@ -419,6 +421,7 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
                        "for a size that fits the source cap.");
   }
   CapToMesh cap = capToMesh(input, solid, topology, size);
+  cap.options.chordTolerance = chordTolerance;
   const auto plainQuads = [&](const Progress& part) {
     return sourceQuadsOf(
       meshCapWithQuads(cap.cap, cap.faceIds, cap.options, part), cap.options.size);

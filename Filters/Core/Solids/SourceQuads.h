@@ -42,12 +42,13 @@ struct SourceQuads
  * @param input what `solid` was made from.
  * @param size  edge length; 0: that of the edges that are kept, else see defaultQuadSize(), no less
  *              than half a facet of the cap's curves.
+ * @param chordTolerance see CapQuadOptions.
  * @throw InvalidInput for a size that is negative or not finite, and as meshCapWithQuads().
  * @throw Aborted.
  */
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
   const SweepTopology& topology, double size, const Progress& progress = {},
-  bool withBorders = true);
+  bool withBorders = true, double chordTolerance = 0.0);
 
 /// Where the borders between the faces of linking sides begin: points of the solid on the loops of
 /// the source cap.

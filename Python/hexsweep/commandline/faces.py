@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A list of the faces of a solid, to choose the source cap from, and the ways to sweep it."""
 
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+
 from .. import vtkSolidFaces, vtkSweepCandidates
 from .messages import Refusal, VtkMessages
 from .process import in_child
@@ -21,7 +23,7 @@ def _list(options):
     solid = read(options.solid, messages)
     faces = _table(vtkSolidFaces(), solid, options)
     candidates = _table(vtkSweepCandidates(), solid, options)
-    return "\n".join([*_face_lines(faces), *_candidate_lines(candidates, _volumes(faces))])
+    return "\n".join([*_body_lines(solid, faces), *_face_lines(faces), *_candidate_lines(candidates, _volumes(faces))])
 
 
 def _table(algorithm, solid, options):
@@ -41,6 +43,15 @@ def choose_face_ids(algorithm, options):
         algorithm.SetInputArrayToProcess(*_CELLS, options.faces)
 
 
+def _body_lines(solid, table):
+    """Of several bodies: their numbers and names."""
+    volumes = _volumes(table)
+    if len(volumes) > 1 and hasattr(solid, "GetNumberOfPartitionedDataSets"):
+        for volume in volumes:
+            name = solid.GetMetaData(volume - 1).Get(vtkCompositeDataSet.NAME())
+            yield f"volume {volume}: {name}"
+
+
 def _face_lines(table):
     if table.GetFieldData().GetArray("SweepReportFacesByAngle").GetTuple1(0):
         yield (
@@ -48,16 +59,20 @@ def _face_lines(table):
             "between triangles and numbered from 0."
         )
     ids, triangles, areas, centers, flatness, volumes = (table.GetColumn(i) for i in range(6))
+    names, surfaces = (table.GetColumnByName(name) for name in ("Name", "Surface"))
     several = len(_volumes(table)) > 1
     heading = f"{'volume':>6} " if several else ""
-    yield f"{heading}{'face':>6} {'triangles':>9} {'area':>12}   {'centre':<36} flat"
+    known = any(surfaces.GetValue(row) for row in range(table.GetNumberOfRows()))
+    last = f"{'surface':<10} name" if known else "flat"
+    yield f"{heading}{'face':>6} {'triangles':>9} {'area':>12}   {'centre':<36} {last}"
     for row in range(table.GetNumberOfRows()):
         place = ", ".join(f"{x:.4g}" for x in centers.GetTuple3(row))
         flat = "yes" if flatness.GetValue(row) > 0.9999 else "no"
+        last = f"{surfaces.GetValue(row):<10} {names.GetValue(row)}".rstrip() if known else flat
         volume = f"{volumes.GetValue(row):>6} " if several else ""
         yield (
             f"{volume}{ids.GetValue(row):>6} {triangles.GetValue(row):>9} {areas.GetValue(row):>12.6g}   "
-            f"({place:<34}) {flat}"
+            f"({place:<34}) {last}"
         )
 
 

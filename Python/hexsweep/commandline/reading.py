@@ -4,8 +4,11 @@
 import importlib
 import os
 
+import hexsweep
+
 from .messages import Refusal
 
+_CAD = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 READERS = {
     ".vtk": ("vtkIOLegacy", "vtkDataSetReader"),
     ".vtu": ("vtkIOXML", "vtkXMLUnstructuredGridReader"),
@@ -13,6 +16,7 @@ READERS = {
     ".stl": ("vtkIOGeometry", "vtkSTLReader"),
     ".ply": ("vtkIOPLY", "vtkPLYReader"),
     ".obj": ("vtkIOGeometry", "vtkOBJReader"),
+    **{extension: ("hexsweep", "vtkCADReader") for extension in _CAD},
 }
 
 
@@ -22,6 +26,8 @@ def check(file_name):
     if not os.path.isfile(file_name):
         there = "is no file" if os.path.exists(file_name) else "does not exist"
         raise Refusal(f"{file_name}: {there}.")
+    if extension in _CAD and not hasattr(hexsweep, "vtkCADReader"):
+        raise Refusal(f"{file_name}: this hexsweep was built without OpenCASCADE, and reads no CAD files.")
     if extension not in READERS:
         raise Refusal(f"{file_name}: only {', '.join(READERS)} files are read.")
     try:
@@ -35,7 +41,8 @@ def read(file_name, messages):
     """@param messages: VtkMessages. @return a data set with cells. @throw Refusal."""
     check(file_name)
     module, name = READERS[os.path.splitext(file_name)[1].lower()]
-    reader = getattr(importlib.import_module("vtkmodules." + module), name)()
+    package = hexsweep if module == "hexsweep" else importlib.import_module("vtkmodules." + module)
+    reader = getattr(package, name)()
     reader.SetFileName(file_name)
     with messages.errors_collected() as errors:
         reader.Update()

@@ -414,19 +414,33 @@ TEST(OneToOneSweep, AbortsWithEmptyOutputs)
   }
 }
 
-TEST(OneToOneSweep, CompositeDataAreRefused)
+TEST(OneToOneSweep, CollectionsAreSweptSolidBySolid)
 {
+  SolidSweep alone(test::solidGrid("flange"));
+  alone.filter->Update();
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, test::solidGrid("flange"));
-  SolidSweep sweep(blocks);
-  sweep.name({ 3 }, {});
-  test::expectOneError(sweep.filter, "composite");
+  blocks->SetBlock(3, test::solidGrid("flange"));
+  SolidSweep inBlocks(blocks);
+  inBlocks.filter->Update();
+  test::expectSameBits(alone.filter->GetOutput(), inBlocks.filter->GetOutput());
 
   vtkNew<vtkPartitionedDataSetCollection> parts;
   parts->SetPartition(0, 0, test::solidGrid("flange"));
+  parts->SetPartition(2, 0, test::solidGrid("wing"));
   SolidSweep ofParts(parts);
-  ofParts.name({ 3 }, {});
-  test::expectOneError(ofParts.filter, "composite");
+  ofParts.filter->Update();
+  auto* hexes = ofParts.filter->GetOutput();
+  vtkDataArray* volumes = hexes->GetCellData()->GetArray("VolumeId");
+  ASSERT_TRUE(volumes);
+  EXPECT_EQ(volumes->GetTuple1(0), 1.0);
+  EXPECT_EQ(volumes->GetTuple1(hexes->GetNumberOfCells() - 1), 3.0);
+  vtkDataArray* bad = hexes->GetFieldData()->GetArray("SweepReportNotCertified");
+  ASSERT_EQ(bad->GetNumberOfTuples(), 2);
+  EXPECT_EQ(bad->GetTuple1(0) + bad->GetTuple1(1), 0.0);
+
+  vtkNew<vtkPartitionedDataSetCollection> none;
+  SolidSweep ofNone(none);
+  test::expectOneError(ofNone.filter, "solid");
 
   SolidSweep quadsOfParts(test::solidGrid("flange"), parts);
   quadsOfParts.name({ 3 }, {});

@@ -2,6 +2,8 @@
 #include "HexSweepCADOutput.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Solids/SolidMessages.h"
+#include "Core/Surfaces/FaceSides.h"
 #include "HexSweepArrays.h"
 #include "HexSweepCADArchive.h"
 #include "HexSweepCADFacets.h"
@@ -175,6 +177,27 @@ void setPart(vtkPartitionedDataSetCollection* collection, std::size_t solid,
   collection->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name.c_str());
 }
 
+/// Edges that have not two triangles: a surface that bounds a volume has none.
+Index loneEdges(const ModelFacets& facets)
+{
+  Index count = 0;
+  const std::vector<FaceSide> sides = sortedSides(facets.triangles, facets.points.rows());
+  forEachEdge(
+    sides, [&](std::size_t first, std::size_t last) { count += last - first == 2 ? 0 : 1; });
+  return count;
+}
+
+void complainOfEdges(Index edges, CADModel& model, const std::string& solid)
+{
+  if (edges > 0)
+  {
+    model.complaints.push_back("\"" + solid + "\" is open, or touches or crosses itself: " +
+      countOf(static_cast<std::size_t>(edges), "edge") +
+      " of its triangles would have to be shared by two and are not. Mend it in the CAD system, or "
+      "try HealGeometry.");
+  }
+}
+
 void complainOfFaces(const std::vector<Index>& faces, CADModel& model, const std::string& solid)
 {
   if (faces.empty())
@@ -239,6 +262,10 @@ void writeCADModel(CADModel& model, const CADOutputSettings& settings, const Pro
     }
     const CADSolidFacets facets = facetsOfSolid(solid.shape, model.faces, model.edges);
     complainOfFaces(facets.emptyFaces, model, solid.name);
+    if (facets.emptyFaces.empty())
+    {
+      complainOfEdges(loneEdges(facets.facets), model, solid.name);
+    }
     const vtkSmartPointer<vtkPolyData> data = trianglesOf(facets.facets);
     vtkFieldData* fields = data->GetFieldData();
     fields->AddArray(newText(arrays::VolumeName, { solid.name }));

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CADMeshes.h"
 #include "CADParts.h"
+#include "CapGrids.h"
 #include "TestEvents.h"
 #include "vtkCADReader.h"
+#include "vtkOneToOneSweep.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Pln.hxx>
 
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkFieldData.h>
@@ -19,6 +24,7 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <gtest/gtest.h>
 
@@ -281,4 +287,70 @@ TEST(CADReader, BadFilesGiveOneErrorAndNoOutput)
     reader->Update();
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 1U);
   }
+}
+
+TEST(CADReader, StopsWhereItIsAborted)
+{
+  const std::string file = std::string(HEXSWEEP_DATA_DIR) + "/cad/bolted_joint.step";
+  for (const double fraction : { 0.0, 0.2, 0.5, 0.75, 0.9 })
+  {
+    vtkNew<vtkCADReader> reader;
+    reader->SetFileName(file);
+    vtkNew<test::AbortAt> abort;
+    abort->Fraction = fraction;
+    const unsigned long tag = reader->AddObserver(vtkCommand::ProgressEvent, abort);
+    const test::Events messages(reader);
+    reader->Update();
+    EXPECT_TRUE(messages.errors.empty());
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 0U) << fraction;
+    reader->RemoveObserver(tag);
+    reader->SetAbortExecute(0);
+    reader->Modified();
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 6U) << fraction;
+  }
+}
+
+TEST(CADReader, FacesThatCrossThemselvesAreReported)
+{
+  // A prism over a polygon that crosses itself.
+  BRepBuilderAPI_MakePolygon bow;
+  for (const auto& [x, y] : { std::make_pair(0.0, 0.0), std::make_pair(4.0, 3.0),
+         std::make_pair(4.0, 0.0), std::make_pair(0.0, 3.0) })
+  {
+    bow.Add(gp_Pnt(x, y, 0.0));
+  }
+  bow.Close();
+  const TopoDS_Shape crossed = BRepPrimAPI_MakePrism(
+    BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), bow.Wire()).Face(),
+    gp_Vec(0, 0, 2))
+                                 .Shape();
+  const std::string file = temporaryFile("bow.step");
+  cadparts::writeSTEP(crossed, file);
+  vtkNew<vtkCADReader> reader;
+  const test::Events messages(reader);
+  reader->SetFileName(file);
+  reader->Update();
+  const auto& said = messages.errors.empty() ? messages.warnings : messages.errors;
+  ASSERT_FALSE(said.empty());
+  EXPECT_NE(said.front().find("HealGeometry"), std::string::npos) << said.front();
+}
+
+TEST(CADReader, OtherRanksGetTheStructure)
+{
+  vtkNew<vtkCADReader> reader;
+  reader->SetFileName(std::string(HEXSWEEP_DATA_DIR) + "/cad/three_blocks.step");
+  reader->UpdatePiece(1, 2, 0);
+  ASSERT_EQ(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 3U);
+  for (unsigned int s = 0; s < 3; ++s)
+  {
+    vtkPolyData* solid = solidOf(reader, s);
+    EXPECT_TRUE(!solid || solid->GetNumberOfCells() == 0);
+  }
+  vtkNew<vtkOneToOneSweep> sweep;
+  const test::Events messages(sweep);
+  sweep->SetInputConnection(reader->GetOutputPort());
+  sweep->UpdatePiece(1, 2, 0);
+  EXPECT_TRUE(messages.errors.empty());
+  EXPECT_EQ(sweep->GetOutput()->GetNumberOfCells(), 0);
 }

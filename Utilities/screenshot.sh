@@ -4,7 +4,7 @@
 # Utilities/screenshot.sh [case [picture.png]]
 #
 # Takes the picture of ParaView's window with the chain on a case (default: fig7_growing_hole), or with
-# One To One Sweep on a solid of Data/solids, that the documentation shows. For maintainers: needs the build of demo.sh, and the packages
+# One To One Sweep on a solid of Data/solids or a file of Data/cad, that the documentation shows. For maintainers: needs the build of demo.sh, and the packages
 # imagemagick and xdotool.
 
 set -euo pipefail
@@ -18,6 +18,11 @@ if [[ -d $source_dir/Data/solids/$case_name ]]; then
   script=gui_solid.py
   folder=$source_dir/Data/solids/$case_name
   picture=${2:-$source_dir/Documentation/pictures/paraview_solid.png}
+fi
+if [[ -f $source_dir/Data/cad/$case_name.step ]]; then
+  script=gui_solid.py
+  folder=$source_dir/Data/cad/$case_name.step
+  picture=${2:-$source_dir/Documentation/pictures/paraview_cad.png}
 fi
 plugin=$(find "$build_dir/lib" -name HexSweep.so -type f | head -n 1)
 [[ -n $plugin ]] || { echo "screenshot.sh: build first (Utilities/demo.sh)" >&2; exit 1; }

@@ -18,7 +18,7 @@ import time
 
 EXTENSIONS = (".step", ".stp", ".iges", ".igs", ".brep")
 MOST_SECONDS = 120
-MOST_SOLIDS = 12  # of a file
+MOST_SOLIDS = 6  # of a file
 
 
 def main():

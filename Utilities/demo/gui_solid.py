@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sweeps one solid in ParaView's window, nothing typed; run by Utilities/screenshot.sh.
 
-HEXSWEEP_CASE is the folder of the solid; the file HEXSWEEP_READY is made when all is drawn.
+HEXSWEEP_CASE is the folder of the solid, or a CAD file; the file HEXSWEEP_READY is made when all is drawn.
 """
 
 import os
@@ -10,9 +10,12 @@ from paraview import simple
 
 folder = os.environ["HEXSWEEP_CASE"]
 simple._DisableFirstRenderCameraReset()
-solid = simple.XMLUnstructuredGridReader(
-    registrationName="solid.vtu", FileName=[os.path.join(folder, "solid.vtu")]
-)
+if os.path.isdir(folder):
+    solid = simple.XMLUnstructuredGridReader(
+        registrationName="solid.vtu", FileName=[os.path.join(folder, "solid.vtu")]
+    )
+else:
+    solid = simple.OpenDataFile(folder)
 hexes = simple.OneToOneSweep(
     registrationName="OneToOneSweep",
     Solid=solid,

@@ -3,7 +3,7 @@
 include(CMake/HexSweepModule.cmake)
 
 # The folders of the modules, each with its vtk.module.
-set(hexsweep_module_folders Filters)
+set(hexsweep_module_folders Filters IO/Mesh)
 
 # The plugin is scanned first: its XML files decide nothing about the module, but ParaView wants
 # to know its plugins before modules are built.

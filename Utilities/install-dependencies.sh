@@ -19,6 +19,8 @@ packages=(
   libfreetype-dev libpng-dev libjpeg-dev libtiff-dev liblz4-dev liblzma-dev libutfcpp-dev
   # the numerics and their tests
   libeigen3-dev libopenmesh-dev libgtest-dev
+  # programs and packages that read what is written, for tests: CalculiX, gmsh, meshio
+  calculix-ccx gmsh python3-meshio python3-h5py
   # a display without a screen, and mpirun for the parallel test
   xvfb xauth openmpi-bin libopenmpi-dev
   "$@"

@@ -3,7 +3,7 @@
 include(CMake/HexSweepModule.cmake)
 
 # The folders of the modules, each with its vtk.module.
-set(hexsweep_module_folders Filters)
+set(hexsweep_module_folders Filters IO/Mesh)
 if (HEXSWEEP_HAS_CAD)
   list(APPEND hexsweep_module_folders IO/CAD)
 endif ()

@@ -21,7 +21,9 @@ constexpr const char* FaceId = "FaceId";
 constexpr const char* CellEntityIds = "CellEntityIds";
 /// Cells, in and out: the volume.
 constexpr const char* VolumeId = "VolumeId";
-/// Field, n = 1, text: the volume's name in an Exodus file.
+/// Field, texts, one a face id from 0 on: the face's name, empty where it has none.
+constexpr const char* FaceNames = "FaceNames";
+/// Field, n = 1, text: the volume's name in a file.
 constexpr const char* VolumeName = "VolumeName";
 /// Field, text: the name of face i is value i; empty where it has none.
 constexpr const char* FaceNames = "FaceNames";
@@ -71,6 +73,13 @@ constexpr const char* BoundaryPart = "BoundaryPart";
 constexpr const char* HexId = "HexId";
 /// Cells: which of its sides, 1 to 6 in the order of Exodus II.
 constexpr const char* HexSide = "HexSide";
+
+// Side sets and node sets.
+
+/// Field, n = 1, text: the set's name, see vtkSweepSets.
+constexpr const char* SetName = "SetName";
+/// Field, n = 1: the set's id.
+constexpr const char* SetId = "SetId";
 
 // Quality.
 

@@ -30,9 +30,6 @@ namespace hexsweep
 {
 namespace
 {
-/// vtkExodusIIWriter makes a table of names as long as twice the greatest id, which is that of a
-/// node set, up to ten times as much.
-constexpr vtkIdType GreatestSetId = 100000;
 /// Sides of a hexahedron in the order of Exodus II, from 1 on, in that of vtkHexahedron's faces.
 constexpr int VtkFaces[7] = { -1, 2, 1, 3, 0, 4, 5 };
 
@@ -211,34 +208,35 @@ struct UsedPoints
 
 using QuadsById = std::map<vtkIdType, std::vector<vtkIdType>>;
 
-/// Gives each face a side set, which has its id where the ids fit, and a node set with that id and
-/// the least power of ten above all of them: 103 for face 3 where there are less than a hundred.
-void nameFaceSets(QuadsById& byFace, std::vector<BoundarySet>& sets)
+vtkStringArray* faceNames(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
-  const vtkIdType least = byFace.begin()->first;
-  const vtkIdType greatest = byFace.rbegin()->first;
-  const bool idsFit = least >= 1 && greatest <= GreatestSetId;
-  // The sets of the caps and sides, which have no id in their names, follow on from the greatest.
-  constexpr vtkIdType Roles = 3;
-  const vtkIdType last = (idsFit ? greatest : static_cast<vtkIdType>(byFace.size())) + Roles;
-  vtkIdType forNodes = 10;
-  while (forNodes <= last)
+  for (vtkUnstructuredGrid* grid : { boundary, hexes })
   {
-    forNodes *= 10;
+    vtkAbstractArray* names = grid->GetFieldData()->GetAbstractArray(arrays::FaceNames);
+    if (vtkStringArray* texts = vtkStringArray::SafeDownCast(names))
+    {
+      return texts;
+    }
   }
-  for (auto& [face, quads] : byFace)
-  {
-    // vtkExodusIIWriter takes the id of a set from its name, without a space before it.
-    const vtkIdType id = idsFit ? face : static_cast<vtkIdType>(sets.size()) + 1;
-    const std::string start = idsFit ? "Face" : "Face " + std::to_string(face);
-    sets.push_back({ start + " ID:" + std::to_string(id),
-      start + " nodes ID:" + std::to_string(forNodes + id), std::move(quads) });
-  }
+  return nullptr;
+}
+
+/// @param id that of the side set or the node set.
+void addNameAndId(vtkUnstructuredGrid* set, const std::string& name, vtkIdType id)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName(arrays::SetName);
+  names->InsertNextValue(name);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(arrays::SetId);
+  ids->InsertNextValue(id);
+  set->GetFieldData()->AddArray(names);
+  set->GetFieldData()->AddArray(ids);
 }
 }
 
 std::vector<BoundarySet> boundarySets(
-  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary, bool roleSets)
+  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary, bool roleSets, const ChosenIds& chosen)
 {
   checkBoundary(hexes, boundary);
   vtkDataArray* faces = boundary->GetCellData()->GetArray(arrays::BoundaryId);
@@ -254,11 +252,23 @@ std::vector<BoundarySet> boundarySets(
     }
   }
   std::vector<BoundarySet> sets;
-  nameFaceSets(byFace, sets);
+  std::vector<vtkIdType> faceIds;
+  for (auto& [face, quads] : byFace)
+  {
+    faceIds.push_back(face);
+    sets.push_back({ {}, std::move(quads) });
+  }
+  std::vector<std::string> partNames;
   for (auto& [part, quads] : byPart)
   {
-    const std::string name = part == 0 ? "Source" : part == 1 ? "Target" : "Sides";
-    sets.push_back({ name, name + " nodes", std::move(quads) });
+    partNames.push_back(part == 0 ? "Source" : part == 1 ? "Target" : "Sides");
+    sets.push_back({ {}, std::move(quads) });
+  }
+  const std::vector<SetName> names =
+    nameSets(faceIds, faceNames(hexes, boundary), partNames, chosen);
+  for (std::size_t i = 0; i < sets.size(); ++i)
+  {
+    sets[i].name = names[i];
   }
   return sets;
 }
@@ -344,6 +354,7 @@ vtkSmartPointer<vtkUnstructuredGrid> newSideSet(
   grid->GetPointData()->SetGlobalIds(used.globalIds);
   grid->GetCellData()->AddArray(elements);
   grid->GetCellData()->AddArray(sides);
+  addNameAndId(grid, set.name.name, set.name.id);
   return grid;
 }
 
@@ -360,6 +371,7 @@ vtkSmartPointer<vtkUnstructuredGrid> newNodeSet(
   grid->SetPoints(used.points);
   grid->SetCells(VTK_VERTEX, cells);
   grid->GetPointData()->SetGlobalIds(used.globalIds);
+  addNameAndId(grid, set.name.name, set.name.nodesId);
   return grid;
 }
 

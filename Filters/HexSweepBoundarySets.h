@@ -7,6 +7,8 @@
 #ifndef HexSweepBoundarySets_h
 #define HexSweepBoundarySets_h
 
+#include "HexSweepSetNames.h"
+
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
@@ -21,21 +23,23 @@ namespace hexsweep
 /// Some quads of the boundary.
 struct BoundarySet
 {
-  std::string name;      ///< of the side set
-  std::string nodesName; ///< of the node set
+  SetName name;
   std::vector<vtkIdType> quads;
 };
 
 /**
- * One set a face in the order of their ids, then source, target and sides (those there are).
+ * One set a face in the order of their ids, then source, target and sides (those there are), with
+ * names as nameSets() gives them; the names of faces are the field data array `FaceNames` of the
+ * boundary, else of the hexahedra.
  *
  * @param hexes, boundary nullptr counts as missing.
  * @param roleSets        whether source, target and sides are sets as well.
+ * @param chosen          ids of sets by name.
  * @throw InvalidInput when one of the inputs is missing or empty, has other cells, lacks an array,
- *        or when the boundary is that of another mesh.
+ *        when the boundary is that of another mesh, or an id was chosen that cannot be.
  */
-std::vector<BoundarySet> boundarySets(
-  vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary, bool roleSets);
+std::vector<BoundarySet> boundarySets(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary,
+  bool roleSets, const ChosenIds& chosen);
 
 /// Field data array `VolumeName`, else "Volume" with the `VolumeId` (1: there is none); "Volumes"
 /// where there are several, whose blocks have the writer's one name for a grid.
@@ -49,11 +53,13 @@ std::string volumeName(vtkUnstructuredGrid* hexes);
 vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(
   vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary);
 
-/// Quads with `SourceElementId` (from 0 on) and `SourceElementSide` (in VTK's order).
+/// Quads with `SourceElementId` (from 0 on) and `SourceElementSide` (in VTK's order), and with the
+/// set's `SetName` and `SetId` as field data.
 vtkSmartPointer<vtkUnstructuredGrid> newSideSet(
   vtkUnstructuredGrid* boundary, const BoundarySet& set);
 
-/// Vertex cells on the points of the quads, with `GlobalNodeId`, in the order of these.
+/// Vertex cells on the points of the quads, with `GlobalNodeId`, in the order of these, and field
+/// data as newSideSet().
 vtkSmartPointer<vtkUnstructuredGrid> newNodeSet(
   vtkUnstructuredGrid* boundary, const BoundarySet& set);
 

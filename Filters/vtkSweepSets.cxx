@@ -2,6 +2,7 @@
 #include "vtkSweepSets.h"
 
 #include "HexSweepBoundarySets.h"
+#include "HexSweepLists.h"
 #include "HexSweepRun.h"
 
 #include <vtkCompositeDataSet.h>
@@ -31,6 +32,19 @@ vtkSweepSets::vtkSweepSets()
 }
 
 //------------------------------------------------------------------------------
+void vtkSweepSets::AddSetId(const char* name, vtkIdType id)
+{
+  this->SetIds.emplace_back(name ? name : "", id);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSweepSets::RemoveAllSetIds()
+{
+  hexsweep::clearList(this, this->SetIds);
+}
+
+//------------------------------------------------------------------------------
 int vtkSweepSets::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
@@ -51,7 +65,7 @@ int vtkSweepSets::RequestData(
     auto* hexes = vtkUnstructuredGrid::SafeDownCast(hexsweep::inputDataSet(inputs, 0));
     auto* boundary = vtkUnstructuredGrid::SafeDownCast(hexsweep::inputDataSet(inputs, 1));
     const std::vector<hexsweep::BoundarySet> sets =
-      hexsweep::boundarySets(hexes, boundary, this->RoleSets);
+      hexsweep::boundarySets(hexes, boundary, this->RoleSets, this->SetIds);
 
     vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
     vtkNew<vtkMultiBlockDataSet> elementBlocks;
@@ -66,8 +80,8 @@ int vtkSweepSets::RequestData(
     unsigned int i = 0;
     for (const hexsweep::BoundarySet& set : sets)
     {
-      setBlock(sideSets, i, set.name, hexsweep::newSideSet(boundary, set));
-      setBlock(nodeSets, i, set.nodesName, hexsweep::newNodeSet(boundary, set));
+      setBlock(sideSets, i, set.name.sidesBlock, hexsweep::newSideSet(boundary, set));
+      setBlock(nodeSets, i, set.name.nodesBlock, hexsweep::newNodeSet(boundary, set));
       ++i;
       hexsweep::reportProgress(hexsweep::pipelineProgress(this),
         static_cast<double>(i) / static_cast<double>(sets.size()));
@@ -80,4 +94,10 @@ void vtkSweepSets::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RoleSets: " << (this->RoleSets ? "On" : "Off") << "\n";
+  os << indent << "SetIds:";
+  for (const auto& [name, id] : this->SetIds)
+  {
+    os << " " << name << "=" << id;
+  }
+  os << "\n";
 }

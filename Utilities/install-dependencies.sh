@@ -21,6 +21,8 @@ packages=(
   libeigen3-dev libopenmesh-dev libgtest-dev
   # the CAD kernel, and TBB, which its CMake files name
   libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev
+  # programs and packages that read what is written, for tests: CalculiX, gmsh, meshio
+  calculix-ccx gmsh python3-meshio python3-h5py
   # a display without a screen, and mpirun for the parallel test
   xvfb xauth openmpi-bin libopenmpi-dev
   "$@"

@@ -5,7 +5,7 @@
 #
 # clang-format and clang-tidy 14 (Debian 12: clang-format clang-tidy) on all sources, or on those that
 # were changed since a revision. Needs a configured build: HEXSWEEP_BUILD_DIR, default build/release.
-# clang-tidy reads the sources of Filters and Filters/Core, ten seconds of CPU a file; a changed header
+# clang-tidy reads the sources of Filters, Filters/Core and IO, ten seconds of CPU a file; a changed header
 # is read with the source of its name, or with one that includes it.
 # HEXSWEEP_LINT_SECONDS=n begins no file after n seconds, and says which were not read.
 
@@ -45,20 +45,22 @@ source_of() {
   if [[ -f ${header%.h}.cxx ]]; then
     echo "${header%.h}.cxx"
   else
-    git grep -l -F "${header#Filters/}\"" -- 'Filters/*.cxx' | head -n 1
+    header=${header#Filters/}
+    # Not head, which would end the search and with it this script.
+    git grep -l -F "${header#IO/*/}\"" -- 'Filters/*.cxx' 'IO/*.cxx' | sed -n 1p
   fi
 }
 
 mapfile -t sources < <(
   for file in "${files[@]}"; do
     case $file in
-      Filters/*.cxx) echo "$file" ;;
-      Filters/*.h) source_of "$file" ;;
+      Filters/*.cxx | IO/*.cxx) echo "$file" ;;
+      Filters/*.h | IO/*.h) source_of "$file" ;;
     esac
   done | sort -u
 )
 if ((${#sources[@]} == 0)); then
-  say "clang-tidy: nothing of Filters changed"
+  say "clang-tidy: nothing of Filters or IO changed"
   exit 0
 fi
 

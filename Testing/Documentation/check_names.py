@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 PAGES = ["README.md", "CONTRIBUTING.md", "Documentation/Architecture.md", "Documentation/Core.md", "Examples/README.md"]
-SOURCES = ["Filters", "Plugin", "Python", "Testing", "Utilities", "CMake", "Examples", "Documentation", "CMakeLists.txt",
+SOURCES = ["Filters", "IO", "Plugin", "Python", "Testing", "Utilities", "CMake", "Examples", "Documentation", "CMakeLists.txt",
            "CMakePresets.json", "vtk.module"]
 SUFFIXES = {".h", ".cxx", ".py", ".in", ".xml", ".txt", ".cmake", ".json", ".sh", ".module", ".geo"}
 FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
@@ -71,7 +71,7 @@ def is_known(name, page, root, words):
             for place in places
         )
     if FILE.fullmatch(name):
-        folders = ("Filters", "Plugin", "Testing", "Data", "Examples")
+        folders = ("Filters", "IO", "Plugin", "Testing", "Data", "Examples")
         return (root / name).exists() or any(any((root / folder).rglob(name)) for folder in folders)
     match = IDENTIFIER.fullmatch(name)
     return not match or match.group(1) in words

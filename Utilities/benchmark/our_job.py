@@ -22,7 +22,7 @@ from hexsweep import vtkOneToOneSweep  # noqa: E402
 from hexsweep.commandline.messages import VtkMessages  # noqa: E402
 from hexsweep.commandline.output import NewFile  # noqa: E402
 from hexsweep.commandline.reading import read  # noqa: E402
-from hexsweep.commandline.writing import write  # noqa: E402
+from hexsweep.commandline.writing import Choices, write  # noqa: E402
 
 messages = VtkMessages()
 times = {"modules": time.process_time()}
@@ -39,7 +39,7 @@ hexes = sweep.GetOutputDataObject(0)
 if hexes.GetNumberOfCells() == 0:
     sys.exit("there is no mesh")
 with NewFile(output, [solid]) as new:
-    write(sweep, new, True, messages)
+    write(sweep, new, Choices(), messages)
     new.put_in_place()
 times["writing"] = time.process_time()
 

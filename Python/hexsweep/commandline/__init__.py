@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: reads a solid from a file, lists its faces or meshes it, writes a file.
+"""The command line: reads a solid from a file, lists its faces or meshes it, writes a file; or judges
+the hexahedra of a file.
+
+It is Python for the sake of what is round the filters: the work in a child process, whose death loses
+no file; files that are replaced only when they are whole; formats that Python packages write. So it
+shares the interpreter and the VTK of whoever scripts the filters.
 
 Exit status: 0 certified (or listed), 2 meshed but not certified, 1 refused, failed or wrong usage,
 128 and the signal's number where it was interrupted.
@@ -8,9 +13,12 @@ Exit status: 0 certified (or listed), 2 meshed but not certified, 1 refused, fai
 import os
 import sys
 
-from . import arguments, faces, meshing
+from . import arguments, faces, meshing, validity
 from .messages import Refusal, say
 from .process import Interrupted, heard_signals
+
+
+_COMMANDS = {"faces": faces.run, "check": validity.run, "mesh": meshing.run}
 
 
 def main(words=None):
@@ -18,7 +26,7 @@ def main(words=None):
     try:
         with heard_signals():
             options = arguments.parse(sys.argv[1:] if words is None else words)
-            status, text = faces.run(options) if options.only_faces else meshing.run(options)
+            status, text = _COMMANDS[options.command](options)
     except Refusal as refusal:
         if str(refusal):
             say("error", str(refusal))

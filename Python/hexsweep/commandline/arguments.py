@@ -5,21 +5,29 @@ import argparse
 import os
 
 from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from .. import __version__
+from .. import __version__, vtkCageHexInterior
+from .formats import EXODUS, WRITTEN
+from .mesh_reading import READ
 from .messages import Refusal
 from .reading import READERS
-from .writing import WRITTEN
 
 _DESCRIPTION = f"""Meshes a solid with hexahedra by sweeping.
 
   hexsweep faces FILE                    lists the faces of the solid (so does a call without -o)
   hexsweep FILE -o part.vtu              meshes it, the best way to sweep it
   hexsweep FILE --source 3 -o part.vtu   meshes it from face 3
+  hexsweep check FILE                    certifies the hexahedra of any mesh
 
-Reads {", ".join(READERS)}; writes {", ".join(WRITTEN)} (all but .vtu: Exodus II). A file that is
-called "faces" is ./faces."""
+Reads {", ".join(READERS)}; writes {", ".join(WRITTEN)}
+({", ".join(EXODUS)}: Exodus II). A file that is called "faces" or "check" is ./faces."""
+_CHECKING = f"""Certifies the hexahedra of a mesh, whoever made it.
+
+Reads {", ".join(READ)}."""
 _EPILOG = """Exit status: 0 certified, 2 meshed but not certified, 1 refused, failed or wrong usage."""
+_EPILOG_CHECKING = """Exit status: 0 all solid cells are certified hexahedra, 2 some are not, 1 refused, failed or
+wrong usage."""
 
 # Option, property of vtkOneToOneSweep, type, help. What is not given is the filter's own default.
 _SETTINGS = (
@@ -34,6 +42,15 @@ _SETTINGS = (
 # These tell faces apart, so they are for listing too.
 _OF_FACES = ("FeatureAngle", "MatchTolerance")
 
+_METHODS = {
+    name.lower().replace("_", "-"): getattr(vtkCageHexInterior, name)
+    for name in (
+        "AUTOMATIC", "BLEND", "HARMONIC_COORDINATES", "MEAN_VALUE_COORDINATES", "GREEN_COORDINATES",
+        "LAYER_MARCH", "AFFINE_BOUNDARY_ERROR",
+    )
+}
+_PRECISIONS = {"single": vtkAlgorithm.SINGLE_PRECISION, "double": vtkAlgorithm.DOUBLE_PRECISION}
+
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message):
@@ -41,47 +58,71 @@ class _Parser(argparse.ArgumentParser):
 
 
 def parse(words):
-    """@return the options; `settings` are those of the filter by property.
+    """@return the options: `command`, and of meshing `settings`, those of the filter by property.
     @throw Refusal on wrong usage; SystemExit after --help and --version."""
-    only_faces = list(words[:1]) == ["faces"]
-    parser = _parser(only_faces)
-    options = parser.parse_args(words[1:] if only_faces else words)
-    options.settings = {
-        name: getattr(options, name) for _, name, _, _ in _SETTINGS if getattr(options, name, None) is not None
-    }
-    options.only_faces = only_faces or not (options.output or options.source)
-    if options.only_faces:
-        options.settings = {k: v for k, v in options.settings.items() if k in _OF_FACES}
-    elif not options.output:
-        parser.error("name the file to write: -o part.vtu")
-    elif options.threads is not None and options.threads < 1:
+    first = words[0] if words else ""
+    command = first if first in ("faces", "check") else "mesh"
+    parser = {"faces": _faces_parser, "check": _check_parser, "mesh": _mesh_parser}[command]()
+    options = parser.parse_args(words[1:] if command != "mesh" else words)
+    options.command = command
+    if command == "mesh" and not (options.output or options.source):
+        options.command = "faces"
+    if getattr(options, "threads", None) is not None and options.threads < 1:
         parser.error(f"--threads {options.threads}: give 1 or more, or leave it out")
-    elif os.path.splitext(options.output)[1].lower() not in WRITTEN:
-        parser.error(f"{options.output}: only {', '.join(WRITTEN)} files are written")
+    if command != "check":
+        options.settings = _settings(options)
+    if options.command == "mesh":
+        _check_output(options, parser)
     return options
 
 
-def _parser(only_faces):
+def _settings(options):
+    settings = {
+        name: getattr(options, name) for _, name, _, _ in _SETTINGS if getattr(options, name, None) is not None
+    }
+    if options.command == "faces":
+        return {name: value for name, value in settings.items() if name in _OF_FACES}
+    if options.method:
+        settings["Method"] = _METHODS[options.method]
+    if options.precision:
+        settings["OutputPointsPrecision"] = _PRECISIONS[options.precision]
+    return settings
+
+
+def _check_output(options, parser):
+    if not options.output:
+        parser.error("name the file to write: -o part.vtu")
+    elif os.path.splitext(options.output)[1].lower() not in WRITTEN:
+        parser.error(f"{options.output}: only {', '.join(WRITTEN)} files are written")
+
+
+def _new_parser(name, description, epilog):
     parser = _Parser(
-        prog="hexsweep faces" if only_faces else "hexsweep", description=_DESCRIPTION,
-        epilog=_EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False,
+        prog=name, description=description, epilog=epilog,
+        formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False,
     )
-    parser.add_argument("solid", help="closed surface of the solid, or a volume mesh")
-    parser.add_argument(
-        "--faces", metavar="ARRAY",
-        help="cell array of face ids (FaceId, then CellEntityIds, then faces by angle)",
-    )
-    for option, name, kind, text in _SETTINGS:
-        if name in _OF_FACES or not only_faces:
-            parser.add_argument(option, dest=name, type=kind, metavar=kind.__name__, help=text)
-    if not only_faces:
-        _add_meshing(parser)
     version = f"hexsweep {__version__} (VTK {vtkVersion.GetVTKVersion()})"
     parser.add_argument("--version", action="version", version=version)
     return parser
 
 
-def _add_meshing(parser):
+def _faces_parser():
+    parser = _new_parser("hexsweep faces", _DESCRIPTION, _EPILOG)
+    _add_solid(parser, _OF_FACES)
+    return parser
+
+
+def _check_parser():
+    parser = _new_parser("hexsweep check", _CHECKING, _EPILOG_CHECKING)
+    parser.add_argument("mesh", help="a mesh of hexahedra")
+    parser.add_argument("--threads", type=int, metavar="N", help="how many to use (VTK's choice)")
+    _add_reports(parser)
+    return parser
+
+
+def _mesh_parser():
+    parser = _new_parser("hexsweep", _DESCRIPTION, _EPILOG)
+    _add_solid(parser, [name for _, name, _, _ in _SETTINGS])
     parser.add_argument(
         "--threads", type=int, metavar="N", help="how many to use (VTK's choice); the mesh is the same"
     )
@@ -95,6 +136,50 @@ def _add_meshing(parser):
         "--positions", type=float, nargs="+", metavar="SHARE", help="of the layers, each in (0, 1)"
     )
     parser.add_argument(
-        "--no-role-sets", dest="role_sets", action="store_false",
-        help="Exodus II: no sets Source, Target and Sides beside those of the faces",
+        "--method", choices=_METHODS, help="how the inside is filled (automatic); for comparison"
     )
+    parser.add_argument("--precision", choices=_PRECISIONS, help="of coordinates (double)")
+    _add_formats(parser)
+    _add_reports(parser)
+    return parser
+
+
+def _add_solid(parser, properties):
+    parser.add_argument("solid", help="closed surface of the solid, or a volume mesh")
+    parser.add_argument(
+        "--faces", metavar="ARRAY",
+        help="cell array of face ids (FaceId, then CellEntityIds, then faces by angle)",
+    )
+    for option, name, kind, text in _SETTINGS:
+        if name in properties:
+            parser.add_argument(option, dest=name, type=kind, metavar=kind.__name__, help=text)
+
+
+def _add_formats(parser):
+    parser.add_argument(
+        "--set", dest="set_ids", type=_named_id, action="append", default=[], metavar="NAME=ID",
+        help="the id of a set of nodes and sides, in place of its face's",
+    )
+    parser.add_argument(
+        "--no-role-sets", dest="role_sets", action="store_false",
+        help="no sets Source, Target and Sides beside those of the faces",
+    )
+    parser.add_argument(
+        "--msh-version", choices=("2.2", "4.1"), default="4.1", help="of gmsh's format (4.1)"
+    )
+    parser.add_argument("--binary", action="store_true", help=".msh: numbers in binary, not as text")
+
+
+def _add_reports(parser):
+    parser.add_argument("--json", metavar="FILE", help="the whole report, for programs")
+    parser.add_argument(
+        "--picture", metavar="FILE", help="a .png picture of the hexahedra, cut open and coloured by "
+        "scaled Jacobian; needs a display or EGL",
+    )
+
+
+def _named_id(text):
+    name, mark, number = text.rpartition("=")
+    if not mark or not name or not number.strip().isdigit():
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=ID, with a whole number above 0")
+    return name, int(number)

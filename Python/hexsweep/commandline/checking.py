@@ -19,6 +19,37 @@ def xml_damage(path):
         return "has holes" if content.find(b"\0") >= 0 else ""
 
 
+def text_damage(path):
+    """@return as xml_damage(): what a writer of text leaves where the disk is full."""
+    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        if content[-1:] != b"\n":
+            return "has no end"
+        return "has holes" if content.find(b"\0") >= 0 else ""
+
+
+def gmsh_damage(path, binary):
+    """@return as xml_damage()."""
+    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        if not content[-64:].endswith(b"\n$EndElements\n"):
+            return "has no end"
+        return "has holes" if not binary and content.find(b"\0") >= 0 else ""
+
+
+def legacy_difference(path, own):
+    """@param own: the vtkUnstructuredGrid. @return as exodus_difference()."""
+    from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
+
+    reader = vtkUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.ReadAllScalarsOn()
+    reader.Update()
+    read = reader.GetOutput()
+    if _cells(read) != _cells(own) or _corners(read) != _corners(own):
+        return "has other hexahedra"
+    found, truth = (_doubles(grid.GetPoints().GetData()) for grid in (read, own))
+    return "" if found == truth else "has other points"
+
+
 def exodus_difference(path, sets):
     """@param sets: the output of vtkSweepSets.
     @return what differs, in words that follow "the file"; nothing where nothing does."""
@@ -47,6 +78,8 @@ def exodus_difference(path, sets):
     elements_of = {i: [cell for cell, of in enumerate(objects) if of == i] for i in sorted(set(objects))}
     if [_cells(block) for block in blocks] != [len(cells) for cells in elements_of.values()]:
         return "has other blocks or sets"
+    # The reader sorts sets by their ids.
+    others = [(read, sorted(own, key=_set_id)) for read, own in others]
     for read, own in others:
         if [_cells(grid) for grid in read] != [_cells(grid) for grid in own]:
             return "has other blocks or sets"
@@ -55,6 +88,10 @@ def exodus_difference(path, sets):
     ]
     problems += [_set_difference(*pair) for sets in others for pair in zip(*sets)]
     return next(filter(None, problems), "")
+
+
+def _set_id(grid):
+    return grid.GetFieldData().GetArray("SetId").GetTuple1(0)
 
 
 def _set_difference(read, own):

@@ -2,13 +2,14 @@
 """From the file of a solid to the file of a mesh."""
 
 from .. import vtkOneToOneSweep
-from . import threads
+from . import picture, report, threads, writing
 from .faces import choose_face_ids
 from .messages import Refusal, VtkMessages
-from .output import NewFile
+from .output import new_files
 from .process import Died, in_child
+from .progress import Bar
+from .quality import Quality
 from .reading import check, read
-from .writing import write
 
 
 def run(options):
@@ -16,41 +17,60 @@ def run(options):
     inputs = [name for name in (options.solid, options.quads) if name]
     for name in inputs:
         check(name)
-    with NewFile(options.output, inputs) as new:
+    choices = writing.Choices(
+        options.role_sets, options.set_ids, options.msh_version, options.binary
+    )
+    writing.check(options.output, choices)
+    outputs = {"mesh": options.output, "json": options.json, "picture": options.picture}
+    with new_files(inputs, **outputs) as new:
+        if options.picture:
+            picture.check(options.picture)
         try:
-            certified, text = in_child(lambda: _mesh(options, new))
+            certified, text = in_child(lambda: _mesh(options, choices, new))
         except Died:
-            if new.is_begun():  # VTK's writer of .vtu files may crash on a full disk
-                new.make_sure()
+            if new.files["mesh"].is_begun():  # VTK's writer of .vtu files may crash on a full disk
+                new.files["mesh"].make_sure()
             raise
         new.put_in_place()
     return 0 if certified else 2, f"{options.output}: {text}"
 
 
-def _mesh(options, new):
-    """Writes the new file. @return whether all hexahedra are certified, and a line about them."""
+def _mesh(options, choices, new):
+    """Writes the new files. @return whether all hexahedra are certified, and lines about them."""
     if options.threads:
         threads.use(options.threads)
-    messages = VtkMessages()
-    sweep = vtkOneToOneSweep()
+    bar = Bar()
+    messages = VtkMessages(bar)
+    sweep = bar.follow(vtkOneToOneSweep())
     sweep.SetSolidData(read(options.solid, messages))
     if options.quads:
         sweep.SetSourceQuadsData(read(options.quads, messages))
     _configure(sweep, options)
     sweep.Update()
+    bar.erase()
     hexes = sweep.GetOutputDataObject(0)
     if sweep.GetErrorCode() != 0 or hexes.GetNumberOfCells() == 0:
         raise Refusal("" if messages.errors else "there is no mesh, and no filter has said why.")
-    write(sweep, new, options.role_sets, messages)
-    counts = _reported(hexes, "Hexes")
-    inverted, uncertified = (int(sum(_reported(hexes, name))) for name in ("Inverted", "NotCertified"))
-    least = min(_reported(hexes, "MinScaledJacobian"))
-    means = _reported(hexes, "MeanScaledJacobian")
-    mean = sum(count * own for count, own in zip(counts, means)) / sum(counts)
-    return inverted == 0 and uncertified == 0, (
-        f"{hexes.GetNumberOfCells()} hexahedra, {inverted} inverted, {uncertified} not certified, "
-        f"scaled Jacobian {least:.3f} (least), {mean:.3f} (mean)"
-    )
+    sets = writing.write(sweep, new.files["mesh"], choices, messages)
+    quality = Quality(hexes)
+    certified = quality.inverted == 0 and quality.is_certified()
+    if options.json:
+        about = {"input": options.solid, "output": options.output, "settings": _settings(options)}
+        report.write(new.paths["json"], hexes, quality, certified, about, sets)
+    if options.picture:
+        picture.draw(hexes, new.paths["picture"])
+    return certified, "\n".join([quality.line(), *quality.table()])
+
+
+def _settings(options):
+    """As they were given; the others are those of vtkOneToOneSweep."""
+    lists = {
+        "SourceFaceIds": options.source, "TargetFaceIds": options.target,
+        "VolumeIds": options.volumes, "LayerPositions": options.positions,
+        "SetIds": dict(options.set_ids),
+    }
+    given = {name: value for name, value in lists.items() if value}
+    return {**options.settings, **given, "GrowFromBothEnds": options.both_ends}
 
 
 def _configure(sweep, options):
@@ -66,9 +86,3 @@ def _configure(sweep, options):
     sweep.SetGrowFromBothEnds(options.both_ends)
     for name, value in options.settings.items():
         getattr(sweep, "Set" + name)(value)
-
-
-def _reported(grid, name):
-    """@return the values of all bodies."""
-    array = grid.GetFieldData().GetArray("SweepReport" + name)
-    return [array.GetTuple1(i) for i in range(array.GetNumberOfTuples())]

@@ -2,8 +2,10 @@
 """One clear line on stderr for each error or warning."""
 
 import contextlib
+import os
 import re
 import sys
+import tempfile
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
@@ -25,8 +27,10 @@ def say(kind, text):
 class VtkMessages:
     """Says what VTK says, in lines of ours, in place of its window and its log."""
 
-    def __init__(self):
+    def __init__(self, bar=None):
+        """@param bar: progress.Bar, which gives way to lines."""
         self.errors = 0
+        self._bar = bar
         self._collected = None
         self._warnings_too = False
         self._window = vtkStringOutputWindow()
@@ -49,6 +53,8 @@ class VtkMessages:
         def observe(_window, event, text):
             if _FAILED_REQUEST in text:
                 return  # a print of the request: what failed has been said by the algorithm
+            if self._bar:
+                self._bar.erase()
             words = " ".join(_WHO.sub("", _WHERE.sub("", text)).split())
             if event == "WarningEvent" and not self._warnings_too:
                 say("warning", words)
@@ -60,3 +66,22 @@ class VtkMessages:
 
         observe.CallDataType = "string0"
         return observe
+
+
+@contextlib.contextmanager
+def library_messages(errors):
+    """Adds to `errors` what a C library writes to stderr meanwhile."""
+    screen = os.dup(2)
+    with tempfile.TemporaryFile() if not hasattr(os, "memfd_create") else open(
+        os.memfd_create("stderr"), "w+b"
+    ) as file:
+        os.dup2(file.fileno(), 2)
+        try:
+            yield
+        finally:
+            os.dup2(screen, 2)
+            os.close(screen)
+            file.seek(0)
+            said = file.read().decode(errors="replace").strip()
+            if said:
+                errors.append(said)

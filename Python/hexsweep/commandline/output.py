@@ -13,6 +13,37 @@ from .messages import Refusal
 _SLACK = 1 << 16
 
 
+class NewFiles:
+    """Some files, each a NewFile, by what they are for."""
+
+    def __init__(self, files):
+        self.files = files
+        self.paths = {use: file.path for use, file in files.items()}
+
+    def put_in_place(self):
+        """@throw Refusal."""
+        for use, file in self.files.items():
+            if use != "mesh":  # whoever wrote the mesh has done so
+                file.make_sure()
+            file.put_in_place()
+
+
+@contextlib.contextmanager
+def new_files(inputs, **names):
+    """NewFiles for the names that are given, without one for others.
+    @throw Refusal as NewFile, and where two would be the same file."""
+    names = {use: name for use, name in names.items() if name}
+    places = {}
+    for name in names.values():
+        other = places.setdefault(os.path.realpath(name), name)
+        if other is not name:
+            raise Refusal(f"{name}: is the same file as the output {other}. Name another one.")
+    with contextlib.ExitStack() as stack:
+        yield NewFiles(
+            {use: stack.enter_context(NewFile(name, inputs)) for use, name in names.items()}
+        )
+
+
 class NewFile:
     """A file beside the one that it is to replace; leaves nothing where it was not put in place.
 

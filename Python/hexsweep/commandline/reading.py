@@ -22,14 +22,19 @@ READERS = {
 
 def check(file_name):
     """@throw Refusal where there is no file that could be read."""
+    check_readable(file_name, READERS)
+
+
+def check_readable(file_name, extensions):
+    """@throw Refusal where there is no file with one of these that could be read."""
     extension = os.path.splitext(file_name)[1].lower()
     if not os.path.isfile(file_name):
         there = "is no file" if os.path.exists(file_name) else "does not exist"
         raise Refusal(f"{file_name}: {there}.")
     if extension in _CAD and not hasattr(hexsweep, "vtkCADReader"):
         raise Refusal(f"{file_name}: this hexsweep was built without OpenCASCADE, and reads no CAD files.")
-    if extension not in READERS:
-        raise Refusal(f"{file_name}: only {', '.join(READERS)} files are read.")
+    if extension not in extensions:
+        raise Refusal(f"{file_name}: only {', '.join(extensions)} files are read.")
     try:
         with open(file_name, "rb"):
             pass

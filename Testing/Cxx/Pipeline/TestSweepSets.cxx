@@ -9,6 +9,7 @@
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkStringArray.h>
 #include <vtkSweepSets.h>
 
 namespace
@@ -158,6 +159,90 @@ TEST(SweepSets, IdsThatDoNotFitStayInTheNames)
   EXPECT_EQ(names,
     (std::set<std::string>{ "Face -1 ID:1", "Face 5000000000 ID:2", "Source", "Target", "Sides" }));
   EXPECT_EQ(sets.of(2).count("Face 5000000000 nodes ID:12"), 1u);
+}
+
+/// Of the wing's faces 1 to 4.
+void nameFaces(vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName("FaceNames");
+  for (const std::string& name : names)
+  {
+    array->InsertNextValue(name);
+  }
+  grid->GetFieldData()->AddArray(array);
+}
+
+/// Name and id of each set, by the name of its block.
+std::map<std::string, std::pair<std::string, int>> namesAndIds(Sets& sets, unsigned int part)
+{
+  std::map<std::string, std::pair<std::string, int>> result;
+  for (const auto& [block, set] : sets.of(part))
+  {
+    auto* names = vtkStringArray::SafeDownCast(
+      set->GetFieldData()->GetAbstractArray(hexsweep::arrays::SetName));
+    vtkDataArray* ids = set->GetFieldData()->GetArray(hexsweep::arrays::SetId);
+    result[block] = { names->GetValue(0), static_cast<int>(ids->GetTuple1(0)) };
+  }
+  return result;
+}
+
+TEST(SweepSets, NamesOfFacesAreTheSolids)
+{
+  SweptWing wing;
+  // Face 1 and 3 share a name but for its case, face 2 has what would be read as an id, face 4
+  // none.
+  nameFaces(wing.boundary, { "nobody", "Skin", " Tip\n ID:7 ", "skin" });
+  nameFaces(wing.hexes, { "", "not", "these" });
+  Sets sets(wing.hexes, wing.boundary);
+  sets.filter->Update();
+  const auto sides = namesAndIds(sets, 1);
+  const std::map<std::string, std::pair<std::string, int>> expected = {
+    { "Skin 1 ID:1", { "Skin 1", 1 } }, { "Tip  ID 7 ID:2", { "Tip  ID 7", 2 } },
+    { "skin 3 ID:3", { "skin 3", 3 } }, { "Face ID:4", { "Face 4", 4 } },
+    { "Source", { "Source", 5 } }, { "Target", { "Target", 6 } }, { "Sides", { "Sides", 7 } }
+  };
+  EXPECT_EQ(sides, expected);
+  const auto nodes = namesAndIds(sets, 2);
+  EXPECT_EQ(nodes.at("Skin 1 nodes ID:11"), std::make_pair(std::string("Skin 1"), 11));
+  EXPECT_EQ(nodes.at("Source nodes"), std::make_pair(std::string("Source"), 15));
+}
+
+TEST(SweepSets, IdsCanBeChosen)
+{
+  SweptWing wing;
+  nameFaces(wing.hexes, { "", "Skin" });
+  Sets sets(wing.hexes, wing.boundary);
+  sets.filter->AddSetId("Skin", 30);
+  sets.filter->AddSetId("Face 2", 12);
+  sets.filter->AddSetId("Target", 1);
+  sets.filter->Update();
+  const auto sides = namesAndIds(sets, 1);
+  const std::map<std::string, std::pair<std::string, int>> expected = { { "Skin ID:30",
+                                                                          { "Skin", 30 } },
+    { "Face 2 ID:12", { "Face 2", 12 } }, { "Face ID:3", { "Face 3", 3 } },
+    { "Face ID:4", { "Face 4", 4 } }, { "Source ID:31", { "Source", 31 } },
+    { "Target ID:1", { "Target", 1 } }, { "Sides ID:32", { "Sides", 32 } } };
+  EXPECT_EQ(sides, expected);
+  EXPECT_EQ(namesAndIds(sets, 2).count("Target nodes ID:101"), 1u);
+}
+
+TEST(SweepSets, IdsThatCannotBeAreNamed)
+{
+  SweptWing wing;
+  const std::vector<std::pair<std::string, vtkIdType>> wrong = { { "Skin", 3 }, { "Source", 0 },
+    { "Source", 100001 }, { "Source", 2 } };
+  const char* said[] = { "no set is called \"Skin\"", "is 0", "is 100001", "both have the id 2" };
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+  {
+    Sets sets(wing.hexes, wing.boundary);
+    sets.filter->AddSetId(wrong[i].first.c_str(), wrong[i].second);
+    EXPECT_EQ(sets.filter->GetNumberOfSetIds(), 1);
+    expectOneError(sets.filter, said[i]);
+    sets.filter->RemoveAllSetIds();
+    sets.filter->Update();
+    EXPECT_EQ(sets.of(1).size(), 7u);
+  }
 }
 
 TEST(SweepSets, WrongInputsAreNamed)

@@ -172,7 +172,7 @@ def test_refusals(folder):
     for words, part in (
         ((SOLID, "--source", "99", "-o", old), "99 does not exist: the solid has faces 1, 2"),
         ((SOLID, *COARSE), "name the file to write"),
-        ((SOLID, *COARSE, "-o", old + ".txt"), "only .vtu, .ex2"),
+        ((SOLID, *COARSE, "-o", old + ".txt"), "only .vtu, .vtk"),
         ((SOLID, *COARSE, "-o", old, "--layers", "x"), "invalid int value"),
         ((SOLID, *COARSE, "-o", old, "--layers", "-1"), "number of layers is -1"),
         ((SOLID, *COARSE, "-o", old, "--threads", "0"), "--threads 0: give 1 or more"),

@@ -80,7 +80,7 @@ def test_read_only(folder):
 
 def test_file_size_limit(folder):
     """From no room at all to a byte too little, where only what is held back to the end is lost."""
-    for extension in EXTENSIONS:
+    for extension in (*EXTENSIONS, ".vtk", ".inp", ".msh"):
         whole = os.path.join(folder, "whole" + extension)
         assert run(SOLID, *COARSE, "-o", whole).returncode == 0
         size = os.path.getsize(whole)
@@ -89,7 +89,8 @@ def test_file_size_limit(folder):
         for limit in (0, size // 2, size - 3000, size - 1):
             refused(
                 SOLID, *COARSE, "-o", old,
-                part="cannot be written: " + ("File too large" if limit else ""),
+                # VTK's writer of .vtk files does not say why.
+                part="File too large" if limit and extension != ".vtk" else "cannot be written: ",
                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)),
             )
             expect_only(folder, "old" + extension)

@@ -24,7 +24,7 @@ def command(*arguments):
 def run(*arguments, **options):
     return subprocess.run(
         command(*arguments), timeout=100, check=False, stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE, text=True, **options,
+        stderr=subprocess.PIPE, encoding="utf-8", **options,
     )
 
 

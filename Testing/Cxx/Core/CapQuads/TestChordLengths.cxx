@@ -3,6 +3,7 @@
 #include "Core/CapQuads/ChordLengths.h"
 
 #include "Core/Common/Constants.h"
+#include "Core/Common/Errors.h"
 
 #include <gtest/gtest.h>
 
@@ -107,5 +108,5 @@ TEST(ChordLengths, QuadsKeepTheToleranceWhereTheyAreMade)
     EXPECT_GT(greatestRise(quads.mesh), 0.5 * tolerance);
   }
   options.chordTolerance = -0.1;
-  EXPECT_THROW(meshCapWithQuads(cap, {}, options), InvalidInput);
+  EXPECT_THROW(meshCapWithQuads(cap, {}, options), hexsweep::InvalidInput);
 }

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hexahedra from files of any format that VTK or meshio reads."""
+
+import collections
+import os
+
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_VOXEL, vtkGenericCell
+
+from .formats import EXODUS, check_meshio
+from .messages import Refusal, library_messages
+from .reading import READERS, check_readable, read
+
+_VTK = {name: reader for name, reader in READERS.items() if name in (".vtk", ".vtu")}
+_MESHIO = (".inp", ".msh", ".med", ".xdmf", ".su2", ".bdf", ".nas", ".mesh", ".cgns", ".ugrid", ".avs")
+READ = (*_VTK, *EXODUS, *_MESHIO)
+
+# As vtkHexValidity judges them.
+_HEXES = (VTK_HEXAHEDRON, VTK_VOXEL)
+
+
+def check(file_name):
+    """@throw Refusal where there is no file that could be read."""
+    check_readable(file_name, READ)
+    if _extension(file_name) in _MESHIO:
+        check_meshio(file_name)
+
+
+def read_mesh(file_name, messages):
+    """@param messages: VtkMessages. @return a data set with hexahedra, and how many solid cells
+    in it or beside it are none. @throw Refusal."""
+    extension = _extension(file_name)
+    if extension in _MESHIO:
+        from . import meshio_files
+
+        return meshio_files.read(file_name)
+    grid = _read_exodus(file_name, messages) if extension in EXODUS else read(file_name, messages)
+    kinds = collections.Counter(grid.GetCellType(cell) for cell in range(grid.GetNumberOfCells()))
+    if not any(kinds[kind] for kind in _HEXES):
+        raise Refusal(f"{file_name}: no hexahedra in it.")
+    others = (count for kind, count in kinds.items() if kind not in _HEXES and _is_solid(kind))
+    return grid, sum(others)
+
+
+def _extension(file_name):
+    return os.path.splitext(file_name)[1].lower()
+
+
+def _is_solid(kind):
+    cell = vtkGenericCell.InstantiateCell(kind)
+    return bool(cell) and cell.GetCellDimension() == 3
+
+
+def _read_exodus(file_name, messages):
+    """All element blocks as one grid. vtkExodusIIReader would round coordinates to single
+    precision, so that other hexahedra would be certified than those in the file."""
+    try:
+        from vtkmodules.vtkIOIOSS import vtkIOSSReader
+    except ImportError:
+        raise Refusal(f"{file_name}: this VTK has no reader of Exodus II in double precision.") from None
+    from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+    from vtkmodules.vtkFiltersCore import vtkAppendFilter
+
+    reader = vtkIOSSReader()
+    reader.SetFileName(file_name)
+    with messages.errors_collected() as errors, library_messages([]):
+        reader.UpdateInformation()
+        reader.GetElementBlockSelection().EnableAllArrays()
+        reader.Update()
+        collection = reader.GetOutputDataObject(0)
+    if errors or not collection:
+        why = f": {errors[0]}" if errors else ""
+        raise Refusal(f"{file_name}: cannot be read{why}".rstrip(". \n") + ".")
+    append = vtkAppendFilter()
+    append.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
+    for i in range(collection.GetNumberOfPartitionedDataSets()):
+        for j in range(collection.GetNumberOfPartitions(i)):
+            part = collection.GetPartition(i, j)
+            if part and part.GetNumberOfCells() and _is_solid(part.GetCellType(0)):
+                append.AddInputData(part)
+    if append.GetNumberOfInputConnections(0) == 0:
+        raise Refusal(f"{file_name}: no cells with a volume in it.")
+    append.Update()
+    return append.GetOutput()

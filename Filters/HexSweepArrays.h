@@ -25,8 +25,8 @@ constexpr const char* VolumeId = "VolumeId";
 constexpr const char* FaceNames = "FaceNames";
 /// Field, n = 1, text: the volume's name in a file.
 constexpr const char* VolumeName = "VolumeName";
-/// Field, text: the name of face i is value i; empty where it has none.
-constexpr const char* FaceNames = "FaceNames";
+/// Field, text: the name of volume i is value i, where there are several; empty where it has none.
+constexpr const char* VolumeNames = "VolumeNames";
 /// Field, 3 components in [0, 1]: red, green, blue of face i; negative where it has none.
 constexpr const char* FaceColors = "FaceColors";
 /// Field, n = 1, text: unit of the coordinates, as "millimetre".

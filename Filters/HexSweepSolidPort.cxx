@@ -85,7 +85,8 @@ vtkSmartPointer<vtkDataSet> appended(const std::vector<Leaf>& leaves)
   append->MergePointsOff();
   append->SetOutputDataSetType(VTK_POLY_DATA);
   vtkNew<vtkStringArray> names;
-  names->SetName(arrays::VolumeName);
+  names->SetName(arrays::VolumeNames);
+  names->SetNumberOfValues(leaves.back().number + 1);
   for (const Leaf& leaf : leaves)
   {
     if (!vtkPolyData::SafeDownCast(leaf.data))
@@ -100,11 +101,12 @@ vtkSmartPointer<vtkDataSet> appended(const std::vector<Leaf>& leaves)
     ids->FillValue(leaf.number);
     numbered->GetCellData()->AddArray(ids);
     append->AddInputData(numbered);
-    names->InsertNextValue(leaf.name);
+    names->SetValue(leaf.number, leaf.name);
   }
   append->Update();
   vtkSmartPointer<vtkDataSet> result = vtkDataSet::SafeDownCast(append->GetOutput());
   result->GetFieldData()->PassData(leaves.front().data->GetFieldData());
+  result->GetFieldData()->RemoveArray(arrays::VolumeName); // the first one's
   result->GetFieldData()->AddArray(names);
   return result;
 }

@@ -26,7 +26,7 @@ namespace hexsweep
 struct SolidPort
 {
   /// All solids; of several, each has the `VolumeId` that is its number in the collection, from 1
-  /// on, and the field array `VolumeName` has their names in this order. nullptr: none.
+  /// on, and the field array `VolumeNames` has their names by that. nullptr: none.
   vtkSmartPointer<vtkDataSet> data;
   /// By volume id; of a single solid by 0.
   std::map<Index, vtkModelGeometry::Geometry> geometries;

@@ -103,8 +103,14 @@ std::string blockName(vtkMultiBlockDataSet* blocks, unsigned int i)
   return name ? name : "";
 }
 
-std::vector<MeshVolume> volumesOf(const MeshSets& mesh, const std::string& name)
+/// @param name of the only volume. @param names by id; nullptr: they have none.
+std::vector<MeshVolume> volumesOf(
+  const MeshSets& mesh, const std::string& name, vtkStringArray* names)
 {
+  const auto nameOfSeveral = [&](vtkIdType id) {
+    const bool isNamed = names && id < names->GetNumberOfValues() && !names->GetValue(id).empty();
+    return isNamed ? std::string(names->GetValue(id)) : "Volume " + std::to_string(id);
+  };
   const std::vector<vtkIdType> ids =
     numbers(mesh.grid->GetCellData(), "ObjectId", mesh.hexCount(), 1, VTK_INT_MAX);
   std::map<vtkIdType, std::vector<vtkIdType>> byId;
@@ -116,8 +122,7 @@ std::vector<MeshVolume> volumesOf(const MeshSets& mesh, const std::string& name)
   std::vector<MeshVolume> volumes;
   for (auto& [id, hexes] : byId)
   {
-    volumes.push_back(
-      { byId.size() == 1 ? name : "Volume " + std::to_string(id), id, std::move(hexes) });
+    volumes.push_back({ byId.size() == 1 ? name : nameOfSeveral(id), id, std::move(hexes) });
   }
   return volumes;
 }
@@ -216,7 +221,8 @@ MeshSets meshSets(vtkDataObject* input)
     refuse();
   }
   mesh.cells = cellsById(mesh.grid);
-  mesh.volumes = volumesOf(mesh, blockName(blocks, 0));
+  mesh.volumes = volumesOf(mesh, blockName(blocks, 0),
+    vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray(arrays::VolumeNames)));
   std::set<std::pair<vtkIdType, int>> seen;
   for (unsigned int i = 0; i < sideSets->GetNumberOfBlocks(); ++i)
   {

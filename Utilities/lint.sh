@@ -46,8 +46,8 @@ source_of() {
     echo "${header%.h}.cxx"
   else
     header=${header#Filters/}
-    # Not head, which would end the search and with it this script.
-    git grep -l -F "${header#IO/*/}\"" -- 'Filters/*.cxx' 'IO/*.cxx' | sed -n 1p
+    # Read to the end: a reader that leaves early would fail the whole list.
+    { git grep -l -F "${header#IO/*/}\"" -- 'Filters/*.cxx' 'IO/*.cxx' || true; } | sed -n 1p
   fi
 }
 
@@ -64,7 +64,8 @@ if ((${#sources[@]} == 0)); then
   exit 0
 fi
 
-# Without what only GCC knows: its warnings, and a precompiled header of its own.
+# Without what only GCC knows: its warnings, and a precompiled header of its own. Sources that are
+# compiled together are read one by one, so that each includes what it needs.
 commands=$(mktemp -d)
 trap 'rm -rf "$commands"' EXIT
 python3 - "$database" "$commands/compile_commands.json" <<'PYTHON'
@@ -75,8 +76,14 @@ with open(sys.argv[1], encoding="utf-8") as file:
 first = {}  # some sources are compiled for the tests as well
 for entry in entries:
     command = re.sub(r" -include \S*cmake_pch\.hxx", "", entry["command"])
-    entry["command"] = re.sub(r" -W(?!l,)\S+", "", command)
-    first.setdefault(entry["file"], entry)
+    command = re.sub(r" -W(?!l,)\S+", "", command)
+    sources = [entry["file"]]
+    if "/Unity/unity_" in entry["file"]:
+        with open(entry["file"], encoding="utf-8") as file:
+            sources = re.findall(r'^#include "(.*)"$', file.read(), re.MULTILINE)
+    for source in sources:
+        alone = command.replace(entry["file"], source)
+        first.setdefault(source, {**entry, "file": source, "command": alone})
 with open(sys.argv[2], "w", encoding="utf-8") as file:
     json.dump(list(first.values()), file)
 PYTHON

@@ -19,7 +19,7 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Growth = 0.4;
+constexpr double CurveGrowth = 0.4;
 constexpr double SamplesPerEdge = 4.0;
 constexpr double LeastSamples = 16.0; // of a curve
 constexpr double FacingCosine = 0.8;  // between conormals and the way across a wall
@@ -251,7 +251,7 @@ private:
     }
   }
 
-  /// wanted(a) <= wanted(b) + Growth * way from b to a.
+  /// wanted(a) <= wanted(b) + CurveGrowth * way from b to a.
   void grow()
   {
     using Entry = std::pair<double, Index>;
@@ -271,9 +271,9 @@ private:
       for (const Link& link : this->Links[static_cast<std::size_t>(id)])
       {
         double& other = this->Samples[static_cast<std::size_t>(link.to)].wanted;
-        if (wanted + Growth * link.length < other)
+        if (wanted + CurveGrowth * link.length < other)
         {
-          other = wanted + Growth * link.length;
+          other = wanted + CurveGrowth * link.length;
           open.emplace(other, link.to);
         }
       }

@@ -13,10 +13,10 @@ namespace
 {
 constexpr double BarrierWeight = 0.002;
 /// Added to the diagonal, relative to its mean.
-constexpr double Damping = 1e-6;
+constexpr double NodeDamping = 1e-6;
 constexpr int Backtracks = 4;
-constexpr double SufficientDecrease = 1e-4;
-constexpr double LeastGain = 1e-2; // of its sum, for a node to be moved
+constexpr double SufficientNodeDecrease = 1e-4;
+constexpr double LeastNodeGain = 1e-2; // of its sum, for a node to be moved
 /// Of Newton's step: nodes follow each other from sweep to sweep.
 constexpr double Relaxation = 1.4;
 constexpr Index NodesAtOnce = 256;
@@ -305,7 +305,7 @@ bool QuadNodeMoves::move(Index number, const Losses& losses)
     this->add(this->Incidences[static_cast<std::size_t>(i)], frame, losses, sum);
   }
   this->Awake[k] = 0;
-  sum.curvature.diagonal().array() += Damping * sum.curvature.trace();
+  sum.curvature.diagonal().array() += NodeDamping * sum.curvature.trace();
   const double det = sum.curvature.determinant();
   if (!(det > 0.0) || !std::isfinite(sum.value))
   {
@@ -315,7 +315,7 @@ bool QuadNodeMoves::move(Index number, const Losses& losses)
     (sum.curvature(0, 1) * sum.gradient[1] - sum.curvature(1, 1) * sum.gradient[0]) / det,
     (sum.curvature(1, 0) * sum.gradient[0] - sum.curvature(0, 0) * sum.gradient[1]) / det);
   const double slope = step.dot(sum.gradient);
-  if (!step.allFinite() || !(-slope > LeastGain * sum.value))
+  if (!step.allFinite() || !(-slope > LeastNodeGain * sum.value))
   {
     return false;
   }
@@ -325,7 +325,7 @@ bool QuadNodeMoves::move(Index number, const Losses& losses)
     const SurfacePlace place = this->Cap.place(
       this->Places.row(node) + length * (step.transpose() * frame), this->Triangle[k]);
     const double value = this->valueAt(number, place.point, place.normal.transpose(), losses);
-    if (value <= sum.value + SufficientDecrease * length * slope)
+    if (value <= sum.value + SufficientNodeDecrease * length * slope)
     {
       this->Places.row(node) = place.point;
       this->Triangle[k] = place.triangle;

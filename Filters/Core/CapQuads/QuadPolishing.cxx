@@ -14,14 +14,14 @@ namespace hexsweep
 namespace
 {
 /// Of all nodes at once.
-constexpr int NewtonSteps = 8;
-constexpr double Settled = 1e-3; // relative decrease of the sum that ends a descent
+constexpr int PolishingSteps = 8;
+constexpr double SettledSum = 1e-3; // relative decrease of the sum that ends a descent
 constexpr int RelaxingSteps = 4;
 constexpr double Relaxed = 5e-3;
 constexpr double DistortionEpsilon = 1e-3;
 constexpr double SharpnessTogether[] = { 10.0, 20.0, 40.0, 80.0 };
 constexpr int MeanRounds = 6;
-constexpr double LeastGain = 2e-3; // of the mean, for another round
+constexpr double LeastMeanGain = 2e-3; // of the mean, for another round
 
 /// Of single nodes.
 constexpr double Sharpness[] = { 20.0, 40.0, 80.0 };
@@ -34,7 +34,7 @@ constexpr int MeanSweeps = 20;
 /// instead of 0.15 without the descents together.
 constexpr double LowMinimum = 0.35;
 constexpr double LowRange = 0.1; // above the minimum, of corners that are raised together
-constexpr int PatchRings = 4;    // around them
+constexpr int LowPatchRings = 4; // around them
 
 /// Measured on the sweep cases: 0.6 leaves the mean as it is and costs a third of the minimum.
 constexpr double KeptOfMinimum = 0.9;
@@ -61,8 +61,8 @@ public:
   {
   }
 
-  Points descend(
-    const Points& points, const Losses& losses, int steps = NewtonSteps, double settled = Settled)
+  Points descend(const Points& points, const Losses& losses, int steps = PolishingSteps,
+    double settled = SettledSum)
   {
     const auto onSurface = [&](double jacobian) { return losses.onSurface.at(jacobian); };
     return this->Descent
@@ -202,7 +202,7 @@ void raiseMeanTogether(const CapCorners& cap, Together& together, const Losses& 
       break;
     }
     take(std::move(candidate), quality, best);
-    if (gain < LeastGain)
+    if (gain < LeastMeanGain)
     {
       break;
     }
@@ -254,7 +254,7 @@ ImprovedQuads polishQuads(const CapCorners& cap, const Points& points, const Poi
   {
     const double least = best.quality.minimum;
     QuadPatchWork(cap, source)
-      .run(best, std::max(least + LowRange, 2.0 * least), PatchRings, 1.0, raiseMinimumTogether,
+      .run(best, std::max(least + LowRange, 2.0 * least), LowPatchRings, 1.0, raiseMinimumTogether,
         progressPart(progress, 0.4, 0.65));
     raiseMinimum(cap, source, parallelFor, progressPart(progress, 0.65, 0.7), best);
   }

@@ -10,7 +10,7 @@ namespace hexsweep
 namespace
 {
 /// A sum of doubles that do not overlap, smallest first; grows one exact term at a time.
-class Expansion
+class ProductSum
 {
 public:
   void add(double term)
@@ -46,7 +46,7 @@ private:
 int exactOrientation(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c)
 {
-  Expansion exact;
+  ProductSum exact;
   const auto addProduct = [&exact](double u, double v) {
     const TwoTerms product = exactProduct(u, v);
     exact.add(product.low);

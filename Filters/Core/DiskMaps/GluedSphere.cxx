@@ -25,7 +25,7 @@ constexpr double StepReduction = 0.03;
 constexpr double Rounding = 1e-15;
 
 /// Of conjugate gradients, at each change of the angles.
-constexpr int MaximumSteps = 40;
+constexpr int GradientSteps = 40;
 
 /// Below this arc the closed form cancels more digits than its series leaves out.
 constexpr double ShortArc = 1e-2;
@@ -167,7 +167,7 @@ void GluedSphere::map(const Gluing& angles)
   Eigen::MatrixXd preconditioned = Eigen::MatrixXd::Zero(m, 2); // the factor's matrix by it
   Eigen::RowVector2d before = Eigen::RowVector2d::Ones();
   double enough = 0.0;
-  for (int step = 0; step < MaximumSteps; ++step)
+  for (int step = 0; step < GradientSteps; ++step)
   {
     const Eigen::MatrixXd correction = this->Solver.solve(this->LoopNodes, residual);
     const Eigen::RowVector2d now = residual.cwiseProduct(correction).colwise().sum();

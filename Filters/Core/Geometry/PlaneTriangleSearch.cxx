@@ -12,11 +12,9 @@ namespace
 using Vertex = PlaneTriangulation::Point;
 using Triangle = PlaneTriangulation::Triangle;
 
-constexpr std::uint32_t None = PlaneTriangulation::None;
-
 /// The distance to a box and that to a triangle in it are rounded differently: boxes that are
 /// farther by no more than rounding may hold the triangle of lower id.
-constexpr double TieSlack = 1.0 + 1e-9;
+constexpr double PlaneTieSlack = 1.0 + 1e-9;
 }
 
 bool holdsPoint(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& q)
@@ -54,11 +52,11 @@ BoxTree triangleBoxes(const PlaneTriangulation& mesh)
 std::uint32_t lowestTriangleAt(
   const PlaneTriangulation& mesh, const BoxTree& boxes, const Vertex& q)
 {
-  std::uint32_t found = None;
+  std::uint32_t found = PlaneTriangulation::None;
   boxes.visitNear(q.x, q.y, 0.0, [&](std::size_t i) {
     const std::uint32_t t = static_cast<std::uint32_t>(i);
     const Triangle& triangle = mesh.triangle(t);
-    if ((found == None || triangle.id < mesh.triangle(found).id) &&
+    if ((found == PlaneTriangulation::None || triangle.id < mesh.triangle(found).id) &&
       holdsPoint(mesh.point(triangle.corners[0]), mesh.point(triangle.corners[1]),
         mesh.point(triangle.corners[2]), q))
     {
@@ -71,7 +69,7 @@ std::uint32_t lowestTriangleAt(
 
 std::uint32_t nearestTriangle(const PlaneTriangulation& mesh, const BoxTree& boxes, const Vertex& q)
 {
-  std::uint32_t found = None;
+  std::uint32_t found = PlaneTriangulation::None;
   double distance = std::numeric_limits<double>::infinity();
   boxes.visitNear(q.x, q.y, distance, [&](std::size_t i) {
     const std::uint32_t t = static_cast<std::uint32_t>(i);
@@ -80,13 +78,13 @@ std::uint32_t nearestTriangle(const PlaneTriangulation& mesh, const BoxTree& box
       mesh.point(triangle.corners[1]), mesh.point(triangle.corners[2]), q)
                          .distance;
     // Some triangle is found even for a point that is not finite.
-    if (found == None || own < distance ||
+    if (found == PlaneTriangulation::None || own < distance ||
       (own == distance && triangle.id < mesh.triangle(found).id))
     {
       found = t;
       distance = own;
     }
-    return TieSlack * distance * distance;
+    return PlaneTieSlack * distance * distance;
   });
   return found;
 }

@@ -14,7 +14,6 @@ namespace
 using Vertex = PlaneTriangulation::Point;
 using Triangle = PlaneTriangulation::Triangle;
 
-constexpr std::uint32_t None = PlaneTriangulation::None;
 constexpr std::size_t BlockSize = 4096;
 
 double squaredLength(const Vertex& u)
@@ -82,7 +81,7 @@ std::uint32_t TriangleWalk::lowestAround(std::uint32_t side, const Vertex& q)
     current = this->Mesh.triangle(current >> 2).across[current & 3];
     // Beyond a boundary there may be more triangles at this point. Many triangles round a vertex
     // are a search's matter as well.
-    if (current == None || ++turns > MostTurns)
+    if (current == PlaneTriangulation::None || ++turns > MostTurns)
     {
       return this->search(q);
     }
@@ -131,7 +130,7 @@ const BoxTree& TriangleWalk::boxes()
 
 TriangleWalk::Place TriangleWalk::locate(const Vertex& q, std::uint32_t start)
 {
-  std::uint32_t t = None;
+  std::uint32_t t = PlaneTriangulation::None;
   if (!this->flipped().empty() && this->inFlipped(q))
   {
     t = this->search(q);
@@ -139,11 +138,11 @@ TriangleWalk::Place TriangleWalk::locate(const Vertex& q, std::uint32_t start)
   else
   {
     const std::uint32_t arrived = visibilityWalk(this->Mesh, start, q);
-    t = arrived == None   ? this->search(q)
-      : isInside(arrived) ? arrived >> 2
-                          : this->lowestAround(arrived, q);
+    t = arrived == PlaneTriangulation::None ? this->search(q)
+      : isInside(arrived)                   ? arrived >> 2
+                                            : this->lowestAround(arrived, q);
   }
-  const bool outside = t == None;
+  const bool outside = t == PlaneTriangulation::None;
   if (outside)
   {
     t = nearestTriangle(this->Mesh, this->boxes(), q);
@@ -184,7 +183,7 @@ LocatedPoints TriangleWalk::locate(const PlanePointsRef& points, const Progress&
   std::vector<Vertex> block(std::min(n, BlockSize));
   std::vector<Place> places(block.size());
   Vertex last{};
-  std::uint32_t lastTriangle = None;
+  std::uint32_t lastTriangle = PlaneTriangulation::None;
   for (std::size_t begin = 0; begin < n; begin += BlockSize)
   {
     reportProgress(progress, static_cast<double>(begin) / static_cast<double>(n));
@@ -202,7 +201,7 @@ LocatedPoints TriangleWalk::locate(const PlanePointsRef& points, const Progress&
       }
       const Vertex& q = block[i];
       const Vertex& onCurve = this->Mesh.point(static_cast<std::uint32_t>(vertex));
-      const bool fromLast = lastTriangle != None &&
+      const bool fromLast = lastTriangle != PlaneTriangulation::None &&
         squaredLength(difference(q, last)) < squaredLength(difference(q, onCurve));
       places[i] = this->locate(q, fromLast ? lastTriangle : this->Mesh.triangleNear(vertex));
       last = q;

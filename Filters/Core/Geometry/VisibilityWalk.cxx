@@ -13,8 +13,6 @@ namespace
 using Vertex = PlaneTriangulation::Point;
 using Triangle = PlaneTriangulation::Triangle;
 
-constexpr std::uint32_t None = PlaneTriangulation::None;
-
 /// A search by boxes costs about as much as this many steps.
 constexpr int LongestWalk = 128;
 
@@ -49,7 +47,7 @@ std::uint32_t visibilityWalk(
   // The ends of `side` as seen from q, which lies left of it.
   Vertex ends[2] = { seenFrom(triangle->corners[0]), seenFrom(triangle->corners[1]) };
   double areaAB = area(ends[0], ends[1], [&] { return exactly(*triangle, 0); });
-  if (areaAB < 0.0 && triangle->across[0] != None)
+  if (areaAB < 0.0 && triangle->across[0] != PlaneTriangulation::None)
   {
     side = triangle->across[0];
     triangle = &mesh.triangle(side >> 2);
@@ -76,23 +74,23 @@ std::uint32_t visibilityWalk(
         return here | NoSide;
       }
       // Only the first triangle can lie on the wrong side of its first edge.
-      return areaAB < 0.0 ? None
+      return areaAB < 0.0 ? PlaneTriangulation::None
                           : (areaAB == 0.0 ? side : here | (areaBC == 0.0 ? cornerB : cornerC));
     }
     choices = (choices >> 1) | (choices << 31);
     std::uint32_t overCA = static_cast<std::uint32_t>(beyondCA) &
       (static_cast<std::uint32_t>(!beyondBC) | (choices & 1u));
     side = triangle->across[overCA ? cornerC : cornerB];
-    if (side == None)
+    if (side == PlaneTriangulation::None)
     {
       overCA = 1 - overCA;
       if (beyondBC && beyondCA)
       {
         side = triangle->across[overCA ? cornerC : cornerB];
       }
-      if (side == None)
+      if (side == PlaneTriangulation::None)
       {
-        return None;
+        return PlaneTriangulation::None;
       }
     }
     // The neighbour has the edge the other way round: C to B, or A to C.
@@ -100,6 +98,6 @@ std::uint32_t visibilityWalk(
     triangle = &mesh.triangle(side >> 2);
     areaAB = 1.0;
   }
-  return None;
+  return PlaneTriangulation::None;
 }
 }

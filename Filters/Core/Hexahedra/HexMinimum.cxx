@@ -17,12 +17,13 @@ constexpr double Room = 1.2;
 constexpr double Sharpness = 6.0;
 constexpr double LeastSharpness = 30.0;
 /// Rounds in a row without progress that end the search.
-constexpr int StagnantRounds = 10;
-constexpr double LeastGain = 0.01;       // of the minimum, to count as progress
-constexpr double VisitsForAny = 20000.0; // that any mesh may cost
-constexpr double VisitsPerNode = 0.1;    // and each free node besides
-constexpr Index NodesAtOnce = 64;
-constexpr Index Ahead = 6; // nodes between the one that moves and the one whose memory is asked for
+constexpr int RoundsWithoutGain = 10;
+constexpr double LeastMinimumGain = 0.01; // of the minimum, to count as progress
+constexpr double VisitsForAny = 20000.0;  // that any mesh may cost
+constexpr double VisitsPerNode = 0.1;     // and each free node besides
+constexpr Index LowNodesAtOnce = 64;
+/// Between the one that moves and the one whose memory is asked for.
+constexpr Index LowNodesAhead = 6;
 
 struct Shortfall
 {
@@ -31,7 +32,7 @@ struct Shortfall
 
   bool isProgress(const Shortfall& reached) const
   {
-    return hexes < reached.hexes || minimum > (1.0 + LeastGain) * reached.minimum;
+    return hexes < reached.hexes || minimum > (1.0 + LeastMinimumGain) * reached.minimum;
   }
 };
 
@@ -107,16 +108,17 @@ Index moveGroup(HexNodeMoves& moves, LowNodes& lowNodes, const std::vector<Index
   double wanted, Certificates certificates, const ParallelFor& parallelFor)
 {
   const std::vector<Index> low = lowNodes.of(nodes);
-  forPieces(parallelFor, static_cast<Index>(low.size()), NodesAtOnce, [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i)
-    {
-      const Index node = low[static_cast<std::size_t>(i)];
-      moves.prefetch(low[static_cast<std::size_t>(std::min(i + Ahead, end - 1))]);
-      const double least = moves.leastAt(node);
-      moves.move(node, { std::max(Sharpness / wanted, LeastSharpness), least },
-        std::min(least, wanted), certificates);
-    }
-  });
+  forPieces(
+    parallelFor, static_cast<Index>(low.size()), LowNodesAtOnce, [&](Index begin, Index end) {
+      for (Index i = begin; i < end; ++i)
+      {
+        const Index node = low[static_cast<std::size_t>(i)];
+        moves.prefetch(low[static_cast<std::size_t>(std::min(i + LowNodesAhead, end - 1))]);
+        const double least = moves.leastAt(node);
+        moves.move(node, { std::max(Sharpness / wanted, LeastSharpness), least },
+          std::min(least, wanted), certificates);
+      }
+    });
   lowNodes.update(low);
   return static_cast<Index>(low.size());
 }
@@ -140,7 +142,7 @@ RaisedMinimum raiseMinimum(const PointsRef& points, const HexesRef& hexes,
   LowNodes lowNodes(moves, fixed.size(), Room * wanted);
   int stagnant = 0;
   double visits = 0.0;
-  while (now.hexes > 0 && visits < most && stagnant < StagnantRounds && wanted > 0.0)
+  while (now.hexes > 0 && visits < most && stagnant < RoundsWithoutGain && wanted > 0.0)
   {
     reportProgress(progress, Preparation + (1.0 - Preparation) * visits / most);
     const double before = visits;

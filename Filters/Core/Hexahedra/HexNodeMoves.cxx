@@ -17,11 +17,11 @@ namespace hexsweep
 namespace
 {
 /// Added to the diagonal, relative to its mean.
-constexpr double Damping = 1e-3;
+constexpr double NodeDamping = 1e-3;
 constexpr double LeastEdge = 0.1; // of what it was at first
 constexpr int Backtracks = 4;
-constexpr double SufficientDecrease = 1e-4;
-constexpr std::size_t NodesPerReport = 16384;
+constexpr double SufficientNodeDecrease = 1e-4;
+constexpr std::size_t NodesPerProgress = 16384;
 
 /// Numbers of one visit: in place up to `Size`, which nearly all nodes need.
 template <typename Value, std::size_t Size>
@@ -51,7 +51,7 @@ Eigen::Vector3d newtonStep(const HexNodeSum& sum)
   const double* c = sum.curvature;
   Eigen::Matrix3d matrix;
   matrix << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
-  matrix.diagonal().array() += Damping * matrix.diagonal().mean();
+  matrix.diagonal().array() += NodeDamping * matrix.diagonal().mean();
   return matrix.llt().solve(-Eigen::Map<const Eigen::Vector3d>(sum.gradient));
 }
 }
@@ -84,7 +84,7 @@ void HexNodeMoves::color(const std::vector<bool>& fixed, double enough, const Pr
   std::vector<bool> taken;
   for (std::size_t i = 0; i < fixed.size(); ++i)
   {
-    if (i % NodesPerReport == 0)
+    if (i % NodesPerProgress == 0)
     {
       reportProgress(progress, static_cast<double>(i) / static_cast<double>(fixed.size()));
     }
@@ -278,7 +278,7 @@ HexNodeMoves::Step HexNodeMoves::move(
   {
     this->Places.row(node) = before + length * step.transpose();
     const double value = visit.value(loss);
-    if (value <= sum.value + SufficientDecrease * length * slope && visit.keepsLengths() &&
+    if (value <= sum.value + SufficientNodeDecrease * length * slope && visit.keepsLengths() &&
       visit.accept(floor, certificates))
     {
       return { true, (sum.value - value) / sum.value };

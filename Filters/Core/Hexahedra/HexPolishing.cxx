@@ -16,7 +16,7 @@ constexpr double GoodEnough = 0.95;
 /// Above this a scaled Jacobian may fall for the good of its neighbours.
 constexpr double FreelyTraded = 0.3;
 /// A node whose sum falls by less of it stays where it is from then on.
-constexpr double LeastGain = 0.02;
+constexpr double LeastSumGain = 0.02;
 constexpr Index NodesAtOnce = 256;
 constexpr Index NodesPerReport = 64 * NodesAtOnce;
 /// Nodes between the one that moves and the one whose memory is asked for.
@@ -86,7 +86,7 @@ private:
     }
     const HexNodeMoves::Step step =
       this->Moves.move(node, {}, std::min(least, std::max(FreelyTraded, this->Minimum)));
-    settled = step.gain < LeastGain;
+    settled = step.gain < LeastSumGain;
     return step.moved;
   }
 

@@ -14,13 +14,13 @@ namespace
 constexpr int Rings = 3;
 constexpr int MostRounds = 20;
 /// Of what is wanted, that the least must rise by in a round.
-constexpr double LeastGain = 0.01;
+constexpr double LeastPatchGain = 0.01;
 constexpr double PartOfBudget = 0.15; // of untanglingBudget()
 constexpr double PartOfRound = 0.5;   // of what is left of it
 constexpr int MostHalvings = 8;
 constexpr double LeastSide = 1e-3; // of a box, of its longest
-constexpr int NewtonSteps = 10;
-constexpr double Settled = 1e-3; // relative decrease of the energy that ends a descent
+constexpr int PatchSteps = 10;
+constexpr double SettledPatch = 1e-3; // relative decrease of the energy that ends a descent
 /**
  * Of the boxes' volumes. What is nearly flat is no barrier, or it alone would be seen: with less
  * the others pay for it.
@@ -30,23 +30,23 @@ constexpr double Epsilon = 1e-2;
 /// At the most, of a patch of so many hexahedra.
 double workOf(Index hexes)
 {
-  return NewtonSteps * untanglingWork(hexes, HexSamples::Lattice);
+  return PatchSteps * untanglingWork(hexes, HexSamples::Lattice);
 }
 
-struct PatchQuality
+struct LowestOfPatch
 {
   Index bad = 0;
   double minimum = 1.0;
 
-  bool betterThan(const PatchQuality& other) const
+  bool betterThan(const LowestOfPatch& other) const
   {
     return bad <= other.bad && minimum > other.minimum;
   }
 };
 
-PatchQuality measure(const PointsRef& points, const HexesRef& hexes)
+LowestOfPatch lowestOf(const PointsRef& points, const HexesRef& hexes)
 {
-  PatchQuality result;
+  LowestOfPatch result;
   for (const HexQuality& quality : hexVerdicts(points, hexes))
   {
     result.bad += quality.validity != Validity::Certified;
@@ -88,8 +88,8 @@ double raisePatch(Points& points, const CellPatch& patch, const Progress& progre
     return 0.0;
   }
   const HexDescent::Result step =
-    descent.descend(places, HexSamples::Lattice, Epsilon, NewtonSteps, Settled, progress);
-  if (measure(step.points, hexes).betterThan(measure(places, hexes)))
+    descent.descend(places, HexSamples::Lattice, Epsilon, PatchSteps, SettledPatch, progress);
+  if (lowestOf(step.points, hexes).betterThan(lowestOf(places, hexes)))
   {
     for (std::size_t i = 0; i < patch.nodes.size(); ++i)
     {
@@ -156,8 +156,8 @@ RaisedLowHexes raiseLowHexes(const PointsRef& points, const HexesRef& hexes,
   const CellsAtNodes atNodes(hexes, points.rows());
   const double budget = PartOfBudget * untanglingBudget(hexes.rows());
   double gain = wanted;
-  for (int round = 0; round < MostRounds && result.after < wanted && gain >= LeastGain * wanted;
-       ++round)
+  for (int round = 0;
+       round < MostRounds && result.after < wanted && gain >= LeastPatchGain * wanted; ++round)
   {
     const Progress part = progressPart(progress, static_cast<double>(round) / MostRounds,
       static_cast<double>(round + 1) / MostRounds);

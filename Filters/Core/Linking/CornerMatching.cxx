@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Linking/CornerMatching.h"
 
+#include "Core/Common/Constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -10,7 +12,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Target corners that are looked at for one source corner, and corners left over in a row.
 constexpr std::size_t CornersToTry = 8;
 constexpr Index CornersToSkip = 5;

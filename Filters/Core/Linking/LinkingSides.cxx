@@ -4,6 +4,7 @@
 #include "Core/Common/Describe.h"
 #include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
+#include "Core/Common/StandardIndex.h"
 #include "Core/Common/StoppablePieces.h"
 #include "Core/Geometry/BoundarySearch.h"
 #include "Core/Geometry/LoopGeometry.h"
@@ -23,11 +24,6 @@ namespace hexsweep
 {
 namespace
 {
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Several loops of several surfaces, as one set of boundaries.
 struct Curves
 {

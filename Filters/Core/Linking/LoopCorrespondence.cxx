@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Linking/LoopCorrespondence.h"
 
+#include "Core/Common/Constants.h"
 #include "Core/Linking/CornerMatching.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Leaving corners over must pay: cost relative to arc length alone.
 constexpr double ClearlyBetter = 0.8;
 /// Corners may cost this many times as much as arc length before the best fit takes the motion out.

@@ -11,12 +11,12 @@ namespace hexsweep
 {
 namespace
 {
-using Place = Eigen::RowVector2d;
+using PlanePoint = Eigen::RowVector2d;
 
-double turnAbout(const Place& center, const Place& from, const Place& to)
+double turnAbout(const PlanePoint& center, const PlanePoint& from, const PlanePoint& to)
 {
-  const Place a = from - center;
-  const Place b = to - center;
+  const PlanePoint a = from - center;
+  const PlanePoint b = to - center;
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
 }
 
@@ -27,11 +27,14 @@ struct HoleRing
   Index begin;
   Index size;
 
-  Place middle() const { return this->ring.middleRows(this->begin, this->size).colwise().mean(); }
+  PlanePoint middle() const
+  {
+    return this->ring.middleRows(this->begin, this->size).colwise().mean();
+  }
   /// Whether it runs round its middle, once.
   bool isAboutMiddle() const
   {
-    const Place center = this->middle();
+    const PlanePoint center = this->middle();
     double turn = 0.0;
     for (Index j = 0; j < this->size; ++j)
     {
@@ -97,7 +100,7 @@ std::vector<Index> pathsFrom(Index start, const QuadsRef& quads, Index numberOfN
 
 /// Turn about a place along a path, from its start to its end.
 double turnAlong(
-  const std::vector<Index>& before, Index end, const PlanePoints& points, const Place& center)
+  const std::vector<Index>& before, Index end, const PlanePoints& points, const PlanePoint& center)
 {
   double turn = 0.0;
   for (Index node = end; before[static_cast<std::size_t>(node)] != node;)
@@ -115,9 +118,9 @@ double turnOfRow(const SweepSections& sections, Index row, std::size_t hole)
   double turn = 0.0;
   for (std::size_t k = 0; k + 1 < sections.rings.size(); ++k)
   {
-    const Place from = sections.rings[k].row(row) - ringOf(sections, k, hole).middle();
-    const Place to = sections.rings[k + 1].row(row) - ringOf(sections, k + 1, hole).middle();
-    turn += turnAbout(Place::Zero(), from, to);
+    const PlanePoint from = sections.rings[k].row(row) - ringOf(sections, k, hole).middle();
+    const PlanePoint to = sections.rings[k + 1].row(row) - ringOf(sections, k + 1, hole).middle();
+    turn += turnAbout(PlanePoint::Zero(), from, to);
   }
   return turn;
 }

@@ -11,7 +11,7 @@ namespace hexsweep
 {
 namespace
 {
-constexpr Index None = -1;
+constexpr Index NoNode = -1;
 
 std::string describeRing(std::size_t loop, Index ring)
 {
@@ -117,7 +117,7 @@ Index RingWalk::quadAhead(Index a, Index b, std::size_t loop, Index ring) const
       return side->face;
     }
   }
-  return None;
+  return NoNode;
 }
 
 Index RingWalk::across(Index quad, Index from, Index beside) const
@@ -130,7 +130,7 @@ Index RingWalk::across(Index quad, Index from, Index beside) const
       return after == beside ? this->Cells(quad, (c + 3) % 4) : after;
     }
   }
-  return None;
+  return NoNode;
 }
 
 Loop RingWalk::step(const Loop& ring, std::size_t loop, Index number)
@@ -142,7 +142,7 @@ Loop RingWalk::step(const Loop& ring, std::size_t loop, Index number)
   for (std::size_t j = 0; j < n; ++j)
   {
     ahead[j] = this->quadAhead(ring[j], ring[(j + 1) % n], loop, number);
-    if (ahead[j] == None)
+    if (ahead[j] == NoNode)
     {
       missing = j;
     }

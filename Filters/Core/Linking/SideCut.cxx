@@ -2,6 +2,7 @@
 #include "Core/Linking/SideCut.h"
 
 #include "Core/Common/DisjointSets.h"
+#include "Core/Common/StandardIndex.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace hexsweep
 namespace
 {
 using Edges = std::set<std::pair<Index, Index>>; // the lower point first
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 Edges edgesOf(const std::vector<std::vector<Index>>& paths)
 {

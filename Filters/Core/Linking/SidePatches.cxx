@@ -3,6 +3,7 @@
 
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Common/StandardIndex.h"
 #include "Core/Geometry/BoundarySearch.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Surfaces/SeamWelding.h"
@@ -17,11 +18,6 @@ namespace hexsweep
 namespace
 {
 using Edge = std::pair<Index, Index>;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Point of the patch at each ring node, or -1.
 std::vector<Index> pointsOnRing(

@@ -3,6 +3,7 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Common/Predicates.h"
+#include "Core/Common/StandardIndex.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/PlaneTriangleSearch.h"
 #include "Core/Linking/SideCut.h"
@@ -21,11 +22,6 @@ namespace hexsweep
 {
 namespace
 {
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Which line of the strip's frame each point lies on: 1 source, 2 target, 3 + c column c.
 /// Points at the ends of columns lie on two.
 class FrameLines

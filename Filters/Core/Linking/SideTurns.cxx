@@ -12,9 +12,9 @@ namespace hexsweep
 {
 namespace
 {
-constexpr Index Levels = 12;  // held sides may twist by 90 degrees between two of them
-constexpr Index Samples = 48; // columns of a side that are looked at, at most
-constexpr int Rounds = 2;     // of the Gauss-Newton iteration at each level
+constexpr Index Levels = 12;      // held sides may twist by 90 degrees between two of them
+constexpr Index MostColumns = 48; // columns of a side that are looked at, at most
+constexpr int Rounds = 2;         // of the Gauss-Newton iteration at each level
 
 /// Every few columns of a side.
 class SampledSide
@@ -23,7 +23,7 @@ public:
   explicit SampledSide(const LinkingSideColumns& side)
     : Side(side)
   {
-    const Index count = std::min(side.size(), Samples);
+    const Index count = std::min(side.size(), MostColumns);
     for (Index i = 0; i < count; ++i)
     {
       this->Columns.push_back(i * side.size() / count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/BoundaryQuads.h"
 
+#include "Core/Common/StandardIndex.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Surfaces/SurfacePart.h"
@@ -13,11 +14,6 @@ namespace hexsweep
 {
 namespace
 {
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 using Corners = std::array<Eigen::RowVector3d, 4>;
 
 /// Turns a quad over where it runs against its triangle.

@@ -132,16 +132,16 @@ Reflection chooseReflection(const SolidInput& solid, const std::vector<Index>& u
   return best;
 }
 
-using Corners = std::array<Index, 3>;
+using CornerIds = std::array<Index, 3>;
 
-Corners rising(Corners corners)
+CornerIds rising(CornerIds corners)
 {
   std::sort(corners.begin(), corners.end());
   return corners;
 }
 
 /// The same triangle from its lowest corner on.
-Corners fromLowest(Corners corners)
+CornerIds fromLowest(CornerIds corners)
 {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
@@ -165,10 +165,10 @@ std::vector<Index> sortedPoints(
     place += i > 0 && areBefore(points, used[i - 1], used[i]) ? 1 : 0;
     rank[static_cast<std::size_t>(used[i])] = static_cast<Index>(place);
   }
-  std::vector<std::pair<Corners, Index>> order; // ranks, triangle
+  std::vector<std::pair<CornerIds, Index>> order; // ranks, triangle
   for (Index t = 0; t < triangles.rows(); ++t)
   {
-    Corners ranks{};
+    CornerIds ranks{};
     for (int c = 0; c < 3; ++c)
     {
       ranks[static_cast<std::size_t>(c)] = rank[static_cast<std::size_t>(triangles(t, c))];
@@ -209,7 +209,7 @@ CanonicalSolid canonicalSolid(const SolidInput& solid, const std::optional<Refle
   }
 
   const Index m = solid.triangles.rows();
-  std::vector<Corners> corners(static_cast<std::size_t>(m));
+  std::vector<CornerIds> corners(static_cast<std::size_t>(m));
   for (Index i = 0; i < 3 * m; ++i)
   {
     corners[static_cast<std::size_t>(i / 3)][static_cast<std::size_t>(i % 3)] =
@@ -226,7 +226,7 @@ CanonicalSolid canonicalSolid(const SolidInput& solid, const std::optional<Refle
   input = selectTriangles(solid, order);
   for (Index t = 0; t < m; ++t)
   {
-    const Corners row =
+    const CornerIds row =
       fromLowest(corners[static_cast<std::size_t>(order[static_cast<std::size_t>(t)])]);
     input.triangles.row(t) << row[0], row[1], row[2];
   }

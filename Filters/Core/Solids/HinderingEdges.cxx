@@ -12,7 +12,7 @@ namespace hexsweep
 namespace
 {
 /// Of the bad hexahedra with CAD edges: no more are left without those that are given up.
-constexpr double WorthIt = 0.5;
+constexpr double LeftWithout = 0.5;
 
 /// A cage as blendInterior() fills it, before any untangling.
 struct CageForecast
@@ -93,7 +93,8 @@ SolidCage makeUnhinderedCage(
     const CageForecast without =
       forecastCage(freed, sides, parallelFor, progressPart(progress, 0.9, 1.0));
     if (freed.linking.keptEdges < kept.linking.keptEdges &&
-      static_cast<double>(without.notCertified) < WorthIt * static_cast<double>(with.notCertified))
+      static_cast<double>(without.notCertified) <
+        LeftWithout * static_cast<double>(with.notCertified))
     {
       freed.freedSides = facesOfSides(input);
       return freed;

@@ -4,6 +4,7 @@
 #include "Core/CapQuads/ImageProjection.h"
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Common/StandardIndex.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Interior/RingCollapse.h"
@@ -36,11 +37,6 @@ constexpr double MostInverted = 0.01;
 /// Scaled Jacobian of the quads beside borders that is good enough not to be compared with those
 /// that left them.
 constexpr double LeastHeld = 0.1;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 SurfacePart partOf(const SolidSurface& solid, const std::vector<Index>& rows)
 {

@@ -46,7 +46,7 @@ constexpr double MostQuads = 3.0;
 constexpr double FewQuads = 300.0;
 constexpr double LeastQuality = 0.05;
 /// Of the quads: where the projection inverts more, borders are no help.
-constexpr double MostInverted = 0.01;
+constexpr double MostInvertedQuads = 0.01;
 /// Pieces of the target's borders are mapped by their ends where the map bends them.
 constexpr double PieceOfQuad = 0.5;
 /// Layers on which corners are looked at before the quads are made for good.
@@ -458,7 +458,7 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
     return plain;
   }
   if (static_cast<double>(disks->quality.inverted) >
-    MostInverted * static_cast<double>(plain.mesh.quads.rows()))
+    MostInvertedQuads * static_cast<double>(plain.mesh.quads.rows()))
   {
     plain.imprintWarning = notKept(topology,
       "the caps differ so much that " + std::to_string(disks->quality.inverted) +

@@ -3,6 +3,7 @@
 
 #include "Core/CapQuads/CapCurves.h"
 #include "Core/Common/DisjointSets.h"
+#include "Core/Common/StandardIndex.h"
 #include "Core/Surfaces/BorderSearch.h"
 #include "Core/Surfaces/FaceSides.h"
 #include "Core/Surfaces/SurfaceTopology.h"
@@ -19,12 +20,7 @@ namespace hexsweep
 namespace
 {
 /// Of the cap's size: nodes of a curve are on its edges to rounding.
-constexpr double Rounding = 1e-10;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
+constexpr double ImprintRounding = 1e-10;
 
 /// The borders of the target, their points numbered as they are met.
 class BorderCollector
@@ -309,7 +305,7 @@ std::vector<FixedNode> nodesOnBorders(const TargetImprint& imprint, const CapQua
   const TriangleSearch search = edgeSearch(imprint.cap.mesh.points, ends);
   const CurveSearch curves(imprint);
   const double rounding =
-    Rounding * (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+    ImprintRounding * (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
   const Points images = maps.toTarget(points);
   for (Index node = 0; node < points.rows(); ++node)
   {

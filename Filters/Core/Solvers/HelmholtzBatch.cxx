@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/HelmholtzBatch.h"
 
+#include "Core/Common/StandardIndex.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -12,11 +14,6 @@ namespace
 {
 using Scalars = std::array<double, BatchWidth>;
 using Lanes = std::array<bool, LanesPerBatch>;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 double levelDecay(double lambda, double decay)
 {

@@ -2,6 +2,7 @@
 #include "Core/Solvers/HelmholtzDirect.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Common/StandardIndex.h"
 
 #include <cmath>
 
@@ -9,11 +10,6 @@ namespace hexsweep
 {
 namespace
 {
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// All entries 1. Both triangles are stored, so that rows are columns.
 SparseMatrix patternOf(const HelmholtzMesh& mesh)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/HelmholtzMesh.h"
 
+#include "Core/Common/StandardIndex.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -9,11 +11,6 @@ namespace hexsweep
 namespace
 {
 using Sparse = Eigen::SparseMatrix<double>;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Breadth-first from the given nodes; the Cuthill-McKee order of every level keeps rows short.
 void numberByDistance(const Sparse& K, const std::vector<char>& isGiven, HelmholtzMesh& mesh)

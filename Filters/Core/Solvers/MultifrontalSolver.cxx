@@ -2,6 +2,7 @@
 #include "Core/Solvers/MultifrontalSolver.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Common/StandardIndex.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -15,11 +16,6 @@ namespace hexsweep
 namespace
 {
 using Matrix = Eigen::MatrixXd;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 }
 
 MultifrontalSolver::MultifrontalSolver(

@@ -2,6 +2,7 @@
 #include "Core/Solvers/PrismSolver.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Common/StandardIndex.h"
 #include "Core/Common/StoppablePieces.h"
 #include "Core/Solvers/HelmholtzDirect.h"
 
@@ -23,11 +24,6 @@ constexpr Index PointsPerPanel = PanelWidth / 3;
 // Points that are transformed together: all modes of them stay in the cache.
 constexpr Index PointsAtOnce = 4 * PointsPerPanel;
 constexpr Index PointsPerPiece = 32 * PointsAtOnce;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 // Entries of IsGiven, besides 0.
 constexpr char Given = 1;

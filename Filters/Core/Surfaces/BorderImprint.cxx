@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/BorderImprint.h"
 
+#include "Core/Common/StandardIndex.h"
 #include "Core/Surfaces/BorderSearch.h"
 #include "Core/Surfaces/SplitSurface.h"
 
@@ -18,11 +19,6 @@ namespace
 constexpr double Near = 1e-6;
 
 using Pair = PointPair;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 Pair sorted(Index a, Index b)
 {

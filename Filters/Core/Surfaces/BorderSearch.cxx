@@ -2,6 +2,7 @@
 #include "Core/Surfaces/BorderSearch.h"
 
 #include "Core/Common/Constants.h"
+#include "Core/Common/StandardIndex.h"
 #include "Core/Surfaces/FaceSides.h"
 
 #include <Eigen/Geometry>
@@ -16,11 +17,6 @@ namespace
 constexpr double CornerTurn = 30.5 * Pi / 180.0; // a polygon of twelve sides is a circle still
 /// Facets that stay off their curve by what their turns explain may stay off by this times it.
 constexpr double SagittaSlack = 1.1;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 std::vector<BorderEdge> borderEdges(const TriangleMesh& surface, const std::vector<Index>& faceIds)
 {

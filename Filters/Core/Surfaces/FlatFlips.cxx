@@ -16,7 +16,7 @@ namespace hexsweep
 namespace
 {
 /// Sums of two cotangents this small, relative to their size, are rounding.
-constexpr double RelativeRounding = 1e-10;
+constexpr double CotangentRounding = 1e-10;
 
 /// Distance of four corners from one plane that counts as none, over the size of the cap.
 constexpr double RelativeFlatness = 1e-13;
@@ -123,7 +123,7 @@ bool FlatFlips::wouldFlip(Index half, const Eigen::RowVector3d& apex) const
   }
   const double p = this->cotangent(half, apex);
   const double q = this->cotangent(other);
-  return p + q < -RelativeRounding * (1.0 + std::abs(p) + std::abs(q)) && this->isFlat(half, apex);
+  return p + q < -CotangentRounding * (1.0 + std::abs(p) + std::abs(q)) && this->isFlat(half, apex);
 }
 
 bool FlatFlips::existsEdge(Index half, Index to) const

@@ -16,7 +16,7 @@ namespace hexsweep
 namespace
 {
 /// Length of the shortest quad edge at each point.
-std::vector<double> shortestEdges(const PointsRef& points, const std::vector<FaceSide>& sides)
+std::vector<double> shortestQuadEdges(const PointsRef& points, const std::vector<FaceSide>& sides)
 {
   std::vector<double> shortest(
     static_cast<std::size_t>(points.rows()), std::numeric_limits<double>::max());
@@ -61,7 +61,7 @@ std::vector<Index> weldSeams(
   DisjointSets joined(points.rows());
   const std::vector<FaceSide> sides = sortedSides(quads, points.rows());
   const std::vector<Index> candidates = boundaryPoints(sides);
-  const std::vector<double> edgeLength = shortestEdges(points, sides);
+  const std::vector<double> edgeLength = shortestQuadEdges(points, sides);
   const auto radiusOf = [&](Index id) {
     return coincidenceDistance(matchTolerance, edgeLength[id], roundingError);
   };

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/SplitSurface.h"
 
+#include "Core/Common/StandardIndex.h"
+
 #include <Eigen/Geometry>
 
 #include <limits>
 
 namespace hexsweep
 {
-namespace
-{
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-}
-
 SplitSurface::SplitSurface(const TriangleMesh& surface)
   : Triangles(surface.triangles)
   , Parts(at(surface.triangles.rows()))

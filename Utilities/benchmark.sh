@@ -14,7 +14,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 "$source_dir/Utilities/install-dependencies.sh" gmsh python3-matplotlib
-configure_and_build HexSweep vtkFiltersHexSweepPython
+configure_and_build HexSweep HexSweepPython
 package=$(find "$build_dir/lib" -type d -path '*site-packages/hexsweep' | head -n 1)
 PYTHONPATH=$(dirname "$package") /usr/bin/python3 "$source_dir/Utilities/benchmark/whole_job.py" \
   --output "$source_dir/build/benchmark" "$@"

@@ -43,7 +43,7 @@ demo_dir=${HEXSWEEP_DEMO_DIR:-$source_dir/build/demo}
 
 "$source_dir/Utilities/install-dependencies.sh"
 # The plugin, and the Python package for the command line.
-configure_and_build HexSweep vtkFiltersHexSweepPython
+configure_and_build HexSweep HexSweepPython
 
 plugin=$(find "$build_dir/lib" -name HexSweep.so -type f | head -n 1)
 if [[ -z $plugin ]]; then

@@ -2,13 +2,12 @@
 """The words of the command line."""
 
 import argparse
-import os
 
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .. import __version__, vtkCageHexInterior
-from .formats import EXODUS, WRITTEN
+from .formats import EXODUS, WRITTEN, extension_of
 from .mesh_reading import READ
 from .messages import Refusal
 from .reading import READERS
@@ -92,7 +91,7 @@ def _settings(options):
 def _check_output(options, parser):
     if not options.output:
         parser.error("name the file to write: -o part.vtu")
-    elif os.path.splitext(options.output)[1].lower() not in WRITTEN:
+    elif extension_of(options.output) not in WRITTEN:
         parser.error(f"{options.output}: only {', '.join(WRITTEN)} files are written")
 
 

@@ -17,7 +17,7 @@ MESHIO = {
     ".bdf": "nastran:ref",
     ".mesh": "medit:ref",
 }
-_MODULES = {".med": ("h5py", "python3-h5py"), ".xdmf": ("h5py", "python3-h5py")}
+_MODULES = {".med": ("h5py", "python3-h5py")}
 
 WRITTEN = (".vtu", ".vtk", *EXODUS, *ABAQUS, *GMSH, *MESHIO)
 

@@ -2,11 +2,10 @@
 """Hexahedra from files of any format that VTK or meshio reads."""
 
 import collections
-import os
 
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_VOXEL, vtkGenericCell
 
-from .formats import EXODUS, check_meshio
+from .formats import EXODUS, check_meshio, extension_of
 from .messages import Refusal, library_messages
 from .reading import READERS, check_readable, read
 
@@ -21,14 +20,14 @@ _HEXES = (VTK_HEXAHEDRON, VTK_VOXEL)
 def check(file_name):
     """@throw Refusal where there is no file that could be read."""
     check_readable(file_name, READ)
-    if _extension(file_name) in _MESHIO:
+    if extension_of(file_name) in _MESHIO:
         check_meshio(file_name)
 
 
 def read_mesh(file_name, messages):
     """@param messages: VtkMessages. @return a data set with hexahedra, and how many solid cells
     in it or beside it are none. @throw Refusal."""
-    extension = _extension(file_name)
+    extension = extension_of(file_name)
     if extension in _MESHIO:
         from . import meshio_files
 
@@ -39,10 +38,6 @@ def read_mesh(file_name, messages):
         raise Refusal(f"{file_name}: no hexahedra in it.")
     others = (count for kind, count in kinds.items() if kind not in _HEXES and _is_solid(kind))
     return grid, sum(others)
-
-
-def _extension(file_name):
-    return os.path.splitext(file_name)[1].lower()
 
 
 def _is_solid(kind):

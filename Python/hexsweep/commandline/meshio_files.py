@@ -78,8 +78,10 @@ def write(sets, path):
         mesh.cell_tags = tags
     if extension_of(path) == ".su2":
         mesh.cells = [_pair(block) for block in mesh.cells]
+    # By default XDMF has its numbers in a second file, which would not be put in place with the first.
+    options = {"data_format": "XML"} if extension_of(path) == ".xdmf" else {}
     with _silent():
-        mesh.write(path)
+        mesh.write(path, **options)
 
 
 def _fitting(points):

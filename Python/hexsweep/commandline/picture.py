@@ -3,6 +3,7 @@
 
 import os
 
+from .formats import extension_of
 from .messages import Refusal
 from .process import Died, in_child
 
@@ -12,7 +13,7 @@ _INK = 0.1, 0.1, 0.1
 
 def check(file_name):
     """@throw Refusal where no picture can be made: without a display VTK ends the process."""
-    if os.path.splitext(file_name)[1].lower() != ".png":
+    if extension_of(file_name) != ".png":
         raise Refusal(f"{file_name}: only .png pictures are written.")
     try:
         in_child(_render_nothing)

@@ -32,7 +32,7 @@ def write(sweep, new, choices, messages):
     @return the sets as vtkSweepSets gives them, nothing where the format has none.
     @throw Refusal where it went wrong."""
     extension = extension_of(new.path)
-    source, writer, difference = _writer_for(extension, sweep, choices)
+    source, writer, difference_of = _writer_for(extension, sweep, choices)
     writer.SetFileName(new.path)
     with messages.errors_collected() as errors, library_messages(errors):
         done = writer.Write()
@@ -42,7 +42,7 @@ def write(sweep, new, choices, messages):
         told = [error.replace(f"{new.path} cannot be written: ", "") for error in errors]
         raise new.failure(f"the writer failed{_first(told)}")
     with messages.errors_collected(warnings_too=True) as errors, library_messages(errors):
-        difference = difference(new.path, source.GetOutputDataObject(0))
+        difference = difference_of(new.path, source.GetOutputDataObject(0))
     if errors or difference:
         raise new.failure(f"the file that was written {difference or 'is damaged'}{_first(errors)}")
     return source.GetOutputDataObject(0) if source is not sweep else None
@@ -73,13 +73,13 @@ def _writer_for(extension, sweep, choices):
 
         return sets, _MeshioWriter(sets, meshio_files.write), meshio_files.difference
     if extension in EXODUS:
-        writer, difference = _exodus_writer(), checking.exodus_difference
+        writer, difference_of = _exodus_writer(), checking.exodus_difference
     elif extension in ABAQUS:
-        writer, difference = vtkSweepAbaqusWriter(), lambda path, _: checking.text_damage(path)
+        writer, difference_of = vtkSweepAbaqusWriter(), lambda path, _: checking.text_damage(path)
     elif extension in GMSH:
-        writer, difference = _gmsh_writer(choices)
+        writer, difference_of = _gmsh_writer(choices)
     writer.SetInputConnection(sets.GetOutputPort())
-    return sets, writer, difference
+    return sets, writer, difference_of
 
 
 def _gmsh_writer(choices):

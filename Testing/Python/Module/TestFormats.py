@@ -37,6 +37,7 @@ def mesh(folder, extension, *words):
     name = os.path.join(folder, "mesh" + extension)
     done = run(bar(folder), "--source", "1", "--size", "0.8", *words, "-o", name)
     assert done.returncode == 0 and done.stderr == "", (extension, done.stderr)
+    assert set(os.listdir(folder)) <= {"bar.vtp", "mesh" + extension}, os.listdir(folder)
     return name, done.stdout.splitlines()[0].partition(": ")[2]
 
 

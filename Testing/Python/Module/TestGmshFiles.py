@@ -49,9 +49,9 @@ def tetrahedra_volume(points, hexes):
     return volume
 
 
-def areas(points, quads):
+def area_vectors(points, quads):
     diagonals = [points[quads[:, k + 2]] - points[quads[:, k]] for k in (0, 1)]
-    return np.linalg.norm(np.cross(*diagonals), axis=1) / 2
+    return np.cross(*diagonals) / 2
 
 
 def groups_of(mesh):
@@ -78,10 +78,14 @@ def expect_bar(mesh, swept, parts, by_gmsh=False):
     assert sorted(map(tuple, ours[groups[3, 1]])) == sorted(map(tuple, hexes))
     volumes = tetrahedra_volume(mesh.points, groups[3, 1])
     assert volumes.min() > 0 and abs(volumes.sum() - VOLUME) < 1e-9 * VOLUME
+    flux = 0.0
     for face, area in AREAS.items():
         quads = groups[2, face]
         assert {int(i) for i in ours[quads].ravel()} == face_nodes(points, face), face
-        assert abs(areas(mesh.points, quads).sum() - area) < 1e-9 * area, face
+        vectors = area_vectors(mesh.points, quads)
+        assert abs(np.linalg.norm(vectors, axis=1).sum() - area) < 1e-9 * area, face
+        flux += np.einsum("ij,ij->", mesh.points[quads].mean(axis=1), vectors) / 3
+    assert abs(flux - VOLUME) < 1e-9 * VOLUME, "quads face outward"
     names = {name: tuple(int(i) for i in own) for name, own in mesh.field_data.items()}
     expected = {name: (face, 2) for face, name in {**SETS, **(PARTS if parts else {})}.items()}
     assert names == {**expected, "Bar": (1, 3)}, names

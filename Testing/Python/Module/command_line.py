@@ -35,7 +35,7 @@ def refused(*arguments, part, **options):
     assert done.returncode == 1, (arguments, done.returncode, done.stderr)
     assert len(lines) == 1 and lines[0].startswith("hexsweep: error: "), (arguments, done.stderr)
     assert part in lines[0] and lines[0].endswith("."), (arguments, lines[0])
-    assert not re.search(r"0x[0-9a-f]+|\.cxx|ERR\||vtkInformation", lines[0]), lines[0]
+    assert not re.search(r"\b0x[0-9a-f]+|\.cxx|ERR\||vtkInformation", lines[0]), lines[0]
     assert done.stdout == "", done.stdout
     return lines[0]
 

@@ -55,10 +55,10 @@ def _exodus_writer(sweep, role_sets):
 
 
 def _xml_writer(sweep):
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+    from .. import vtkHexGridWriter
 
     grid = sweep.GetOutputDataObject(0)
-    writer = vtkXMLUnstructuredGridWriter()
+    writer = vtkHexGridWriter()
     writer.SetInputConnection(sweep.GetOutputPort(0))
     # Of what every reader of Debian 12 and 13 accepts, the fastest: see Documentation/Results.md.
     writer.SetDataModeToBinary()

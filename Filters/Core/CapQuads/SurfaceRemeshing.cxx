@@ -15,9 +15,9 @@ constexpr int MaximumSplitPasses = 60; // each halves what is longest
 }
 
 RemeshedSurface remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
-  double size, double growth, const Progress& progress)
+  double size, double growth, const Progress& progress, const ParallelFor& parallelFor)
 {
-  TriangleRemesher mesh(input, surface, size, growth);
+  TriangleRemesher mesh(input, surface, size, growth, parallelFor);
   mesh.flip();
   for (int round = 0; round < Rounds; ++round)
   {

@@ -18,10 +18,12 @@ namespace hexsweep
  * @param surface on which all new vertices come to lie.
  * @param size    wanted edge length away from the curves, > 0.
  * @param growth  of the wanted length with the distance from shorter edges on curves, > 0.
+ * @param parallelFor lends threads for what is done to many vertices at once; the bits do not
+ * depend on them.
  * @throw Aborted.
  */
 RemeshedSurface remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
-  double size, double growth, const Progress& progress = {});
+  double size, double growth, const Progress& progress = {}, const ParallelFor& parallelFor = {});
 }
 
 #endif

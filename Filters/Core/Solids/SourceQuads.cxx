@@ -411,7 +411,8 @@ std::optional<SweepProjection> firstProjection(
 }
 
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
-  const SweepTopology& topology, double size, const Progress& progress, bool withBorders)
+  const SweepTopology& topology, double size, const Progress& progress, bool withBorders,
+  const ParallelFor& parallelFor)
 {
   if (!(size >= 0.0) || !std::isfinite(size))
   {
@@ -419,6 +420,7 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
                        "for a size that fits the source cap.");
   }
   CapToMesh cap = capToMesh(input, solid, topology, size);
+  cap.options.parallelFor = parallelFor;
   const auto plainQuads = [&](const Progress& part) {
     return sourceQuadsOf(
       meshCapWithQuads(cap.cap, cap.faceIds, cap.options, part), cap.options.size);

@@ -47,7 +47,7 @@ struct SourceQuads
  */
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
   const SweepTopology& topology, double size, const Progress& progress = {},
-  bool withBorders = true);
+  bool withBorders = true, const ParallelFor& parallelFor = {});
 
 /// Where the borders between the faces of linking sides begin: points of the solid on the loops of
 /// the source cap.

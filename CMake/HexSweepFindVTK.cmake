@@ -4,10 +4,10 @@
 # What the library itself needs first; what only wrapping and tests need is optional.
 set(hexsweep_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonSystem FiltersCore
-  FiltersGeneral FiltersGeometry IOCore vtksys)
+  FiltersGeneral FiltersGeometry IOCore IOXML vtksys)
 set(hexsweep_vtk_optional_components
   Python WrappingPythonCore FiltersExtraction FiltersSources FiltersVerdict
-  IOLegacy IOXML IOImage InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+  IOLegacy IOImage InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
   TestingCore
   TestingRendering)
 if (HEXSWEEP_USE_PARAVIEW)

@@ -2,6 +2,7 @@
 #include "HexSweepRun.h"
 
 #include "HexSweepFailure.h"
+#include "HexSweepThreadPool.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
 
 namespace hexsweep
@@ -114,9 +116,15 @@ Progress pipelineProgress(vtkAlgorithm* self, double from, double to)
 
 ParallelFor smpFor()
 {
-  if (vtkSMPTools::GetEstimatedNumberOfThreads() == 1)
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  if (threads == 1)
   {
     return {}; // progress can be reported, and an abort noticed, after every piece then
+  }
+  if (vtkSMPTools::GetBackend() == std::string("STDThread"))
+  {
+    return [pool = std::make_shared<ThreadPool>(threads)](
+             Index count, const std::function<void(Index)>& call) { pool->run(count, call); };
   }
   return [](Index count, const std::function<void(Index)>& call) {
     // An exception that leaves a thread would end the process.

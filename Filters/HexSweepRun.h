@@ -51,7 +51,7 @@ std::string chosenArray(vtkAlgorithm* algorithm);
 /// Maps Core's progress in [0, 1] to the filter's progress in [from, to], and asks for aborts.
 Progress pipelineProgress(vtkAlgorithm* self, double from = 0.0, double to = 1.0);
 
-/// The threads of vtkSMPTools; empty where there is one only.
+/// As many threads as vtkSMPTools has; empty where there is one only.
 ParallelFor smpFor();
 
 /**

@@ -4,6 +4,7 @@
 #include "Core/Solids/FaceQuads.h"
 #include "Core/Solids/SourceQuads.h"
 #include "HexSweepReader.h"
+#include "HexSweepRun.h"
 
 #include <vtkDataSet.h>
 
@@ -60,6 +61,6 @@ SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topol
     return result;
   }
   return madeQuads(makeSourceQuads(
-    input, solid.body.surface, topology, size, progress, withBorders, chordTolerance));
+    input, solid.body.surface, topology, size, progress, withBorders, smpFor(), chordTolerance));
 }
 }

@@ -192,6 +192,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   input.singlePrecision = this->OutputPointsPrecision == SINGLE_PRECISION;
   input.ensureValid = this->EnsureValid;
   input.improveQuality = this->ImproveQuality;
+  input.parallelFor = smpFor();
   if (method != ProjectionMethod::AffineLeastSquares)
   {
     if (this->DiskMaps == FROM_INPUT)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hexsweep
 {
@@ -12,6 +13,7 @@ namespace
 {
 /// Below it a column is LeaningColumns; which side of the surface it is on, the others tell.
 constexpr double LeastColumnHeight = 0.05;
+constexpr Index CornersAtOnce = 4096;
 }
 
 double cornerScaledJacobian(
@@ -21,12 +23,13 @@ double cornerScaledJacobian(
 }
 
 CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
-  const TriangleMesh& surface, const std::vector<ColumnDirection>& columns, const PointsRef& start,
-  LeaningColumns leaning)
+  std::shared_ptr<const SurfaceSearch> surface, const std::vector<ColumnDirection>& columns,
+  const PointsRef& start, LeaningColumns leaning, const ParallelFor& parallelFor)
   : CapQuads(quads)
-  , Surface(std::make_shared<SurfaceSearch>(surface))
+  , Surface(std::move(surface))
+  , Threads(parallelFor)
 {
-  const Points normals = this->Surface->normals(start);
+  const Points normals = this->Surface->normals(start, this->Threads);
   double area = 0.0;
   for (Index q = 0; q < quads.rows(); ++q)
   {
@@ -71,12 +74,14 @@ CapCorners::CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
   }
 }
 
-CapCorners::CapCorners(const CapCorners& whole, const CellPatch& patch)
+CapCorners::CapCorners(
+  const CapCorners& whole, const CellPatch& patch, const ParallelFor& parallelFor)
   : CapQuads(patch.corners)
   , Surface(whole.Surface)
   , Side(whole.Side)
   , ColumnNormals(whole.ColumnNormals)
   , ColumnHeights(whole.ColumnHeights)
+  , Threads(parallelFor)
 {
   for (std::size_t q = 0; q < patch.cells.size(); ++q)
   {
@@ -134,14 +139,14 @@ std::vector<Index> CapCorners::setColumns(
 
 SurfacePlaces CapCorners::place(const PointsRef& points) const
 {
-  SurfacePlaces places = this->Surface->project(points);
+  SurfacePlaces places = this->Surface->project(points, this->Threads);
   places.normals *= this->Side;
   return places;
 }
 
 Points CapCorners::normals(const PointsRef& points) const
 {
-  return this->Side * this->Surface->normals(points);
+  return this->Side * this->Surface->normals(points, this->Threads);
 }
 
 SurfacePlace CapCorners::place(const Eigen::RowVector3d& point, Index start) const
@@ -158,14 +163,29 @@ double CapCorners::scaledJacobian(
     points.row(corner.node[2]) - points.row(corner.node[0]), this->normal(corner, normals));
 }
 
-CornerQuality CapCorners::measure(const PointsRef& points) const
+std::vector<double> CapCorners::scaledJacobians(const PointsRef& points) const
 {
   const Points normals = this->normals(points);
+  std::vector<double> values(this->Corners.size());
+  forPieces(
+    this->Threads, static_cast<Index>(values.size()), CornersAtOnce, [&](Index begin, Index end) {
+      for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
+      {
+        values[c] = this->scaledJacobian(this->Corners[c], points, normals);
+      }
+    });
+  return values;
+}
+
+CornerQuality CapCorners::measure(const PointsRef& points) const
+{
+  const std::vector<double> jacobians = this->scaledJacobians(points);
   Eigen::VectorXd least = Eigen::VectorXd::Ones(this->CapQuads.rows());
   CornerQuality quality;
-  for (const QuadCorner& corner : this->Corners)
+  for (std::size_t c = 0; c < jacobians.size(); ++c)
   {
-    const double jacobian = this->scaledJacobian(corner, points, normals);
+    const QuadCorner& corner = this->Corners[c];
+    const double jacobian = jacobians[c];
     (corner.movable ? quality.inverted : quality.fixedInverted) += jacobian > 0.0 ? 0 : 1;
     const double value = std::isnan(jacobian) ? -1.0 : jacobian;
     if (corner.movable)
@@ -183,12 +203,12 @@ CornerQuality CapCorners::measure(const PointsRef& points) const
 
 std::vector<Index> CapCorners::quadsBelow(double floor, const PointsRef& points) const
 {
-  const Points normals = this->normals(points);
+  const std::vector<double> jacobians = this->scaledJacobians(points);
   std::vector<Index> quads;
-  for (const QuadCorner& corner : this->Corners)
+  for (std::size_t c = 0; c < jacobians.size(); ++c)
   {
-    if (corner.movable && (quads.empty() || quads.back() != corner.quad) &&
-      !(this->scaledJacobian(corner, points, normals) > floor))
+    const QuadCorner& corner = this->Corners[c];
+    if (corner.movable && (quads.empty() || quads.back() != corner.quad) && !(jacobians[c] > floor))
     {
       quads.push_back(corner.quad);
     }

@@ -7,6 +7,7 @@
 #define hexsweep_CapCorners_h
 
 #include "Core/Common/CellPatches.h"
+#include "Core/Common/ParallelFor.h"
 #include "Core/Geometry/SurfaceSearch.h"
 
 #include <memory>
@@ -76,20 +77,30 @@ public:
    * @param fixed   n entries: nodes that stay.
    * @param surface consistently oriented, on either side.
    * @param start   n x 3: on or near the surface; decides which side of it is up.
+   * @param parallelFor lends threads to all work over the corners; the bits do not depend on them.
    */
+  CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed,
+    std::shared_ptr<const SurfaceSearch> surface, const std::vector<ColumnDirection>& columns,
+    const PointsRef& start, LeaningColumns leaning = LeaningColumns::PassedOver,
+    const ParallelFor& parallelFor = {});
   CapCorners(const QuadsRef& quads, const std::vector<bool>& fixed, const TriangleMesh& surface,
     const std::vector<ColumnDirection>& columns, const PointsRef& start,
-    LeaningColumns leaning = LeaningColumns::PassedOver);
+    LeaningColumns leaning = LeaningColumns::PassedOver, const ParallelFor& parallelFor = {})
+    : CapCorners(quads, fixed, std::make_shared<const SurfaceSearch>(surface), columns, start,
+        leaning, parallelFor)
+  {
+  }
 
   /**
    * Those of some of the quads, in the patch's node numbers: on the same surface, with the same
    * side up and the same columns.
    */
-  CapCorners(const CapCorners& whole, const CellPatch& patch);
+  CapCorners(const CapCorners& whole, const CellPatch& patch, const ParallelFor& parallelFor = {});
 
   const std::vector<QuadCorner>& corners() const { return this->Corners; }
   const std::vector<Index>& freeNodes() const { return this->FreeNodes; }
   const Quads& quads() const { return this->CapQuads; }
+  const ParallelFor& parallelFor() const { return this->Threads; }
 
   /// The points of the surface nearest to these, and its upward unit normals there.
   SurfacePlaces place(const PointsRef& points) const;
@@ -121,6 +132,8 @@ public:
 private:
   double scaledJacobian(
     const QuadCorner& corner, const PointsRef& points, const PointsRef& normals) const;
+  /// One a corner.
+  std::vector<double> scaledJacobians(const PointsRef& points) const;
   /// @param normals n x 3, upward. @return the column of each node, or -1.
   std::vector<Index> setColumns(
     const std::vector<ColumnDirection>& columns, const PointsRef& normals);
@@ -132,6 +145,7 @@ private:
   std::vector<Index> FreeNodes;
   Points ColumnNormals;
   Eigen::VectorXd ColumnHeights;
+  ParallelFor Threads;
 };
 }
 

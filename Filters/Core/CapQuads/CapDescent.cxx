@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/CapDescent.h"
 
-#include "Core/Common/Errors.h"
-#include "Core/Solvers/MultifrontalSolver.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
 namespace hexsweep
 {
@@ -19,6 +14,9 @@ constexpr int MaximumBacktracks = 25;
 constexpr double SufficientDecrease = 1e-4;
 /// Added to the diagonal, relative to its mean: directions that no term sees stay put.
 constexpr double Damping = 1e-6;
+
+constexpr Index QuadsAtOnce = 256;
+constexpr Index NodesAtOnce = 2048;
 
 using TangentFrame = Eigen::Matrix<double, 2, 3>;
 
@@ -69,105 +67,10 @@ struct CapDescent::Terms
   const ColumnTerm* column = nullptr;
 };
 
-/// Where each corner's blocks go in the Hessian of the free nodes, two unknowns a node.
-struct CapDescent::System
-{
-  std::vector<int> Variable; // node -> free node or -1
-  SparseMatrix Hessian;
-  /// 18 a corner: value index of the first row of each column of its nine blocks; -1: none.
-  std::vector<int> Slots;
-  std::vector<int> Diagonal; // value indices
-  std::optional<MultifrontalSolver> Solver;
-
-  /// Newton's step; not a number where the matrix is not positive definite to working accuracy.
-  Eigen::VectorXd step(const Eigen::VectorXd& gradient)
-  {
-    try
-    {
-      this->Solver->factorize(this->Hessian);
-      return this->Solver->solve(-gradient);
-    }
-    catch (const SolverFailure&)
-    {
-      return Eigen::VectorXd::Constant(gradient.size(), std::nan(""));
-    }
-  }
-
-  /// Index of the first of two consecutive values: rows 2 i and 2 i + 1 of column 2 j + c.
-  int slot(int i, int j, int c) const
-  {
-    const int column = 2 * j + c;
-    const int* begin = this->Hessian.innerIndexPtr() + this->Hessian.outerIndexPtr()[column];
-    const int* end = this->Hessian.innerIndexPtr() + this->Hessian.outerIndexPtr()[column + 1];
-    return static_cast<int>(std::lower_bound(begin, end, 2 * i) - this->Hessian.innerIndexPtr());
-  }
-};
-
-CapDescent::CapDescent(const CapCorners& cap)
+CapDescent::CapDescent(const CapCorners& cap, NewtonEquations equations)
   : Cap(cap)
-  , Equations(std::make_unique<System>())
+  , Equations(std::make_unique<CapEquations>(cap, equations))
 {
-  System& system = *this->Equations;
-  Index nodes = 0;
-  for (const QuadCorner& corner : cap.corners())
-  {
-    nodes = std::max({ nodes, corner.node[0] + 1, corner.node[1] + 1, corner.node[2] + 1 });
-  }
-  system.Variable.assign(static_cast<std::size_t>(nodes), -1);
-  for (std::size_t k = 0; k < cap.freeNodes().size(); ++k)
-  {
-    system.Variable[static_cast<std::size_t>(cap.freeNodes()[k])] = static_cast<int>(k);
-  }
-  const auto variables = [&](const QuadCorner& corner) {
-    std::array<int, 3> v{};
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      v[i] = system.Variable[static_cast<std::size_t>(corner.node[i])];
-    }
-    return v;
-  };
-  std::vector<Eigen::Triplet<double, int>> entries;
-  for (const QuadCorner& corner : cap.corners())
-  {
-    for (const int i : variables(corner))
-    {
-      for (const int j : variables(corner))
-      {
-        if (i >= 0 && j >= 0)
-        {
-          for (const int c : { 0, 1 })
-          {
-            entries.emplace_back(2 * i, 2 * j + c, 0.0);
-            entries.emplace_back(2 * i + 1, 2 * j + c, 0.0);
-          }
-        }
-      }
-    }
-  }
-  const Index n = 2 * static_cast<Index>(cap.freeNodes().size());
-  system.Hessian.resize(n, n);
-  system.Hessian.setFromTriplets(entries.begin(), entries.end());
-  for (const QuadCorner& corner : cap.corners())
-  {
-    for (const int i : variables(corner))
-    {
-      for (const int j : variables(corner))
-      {
-        for (const int c : { 0, 1 })
-        {
-          system.Slots.push_back(i >= 0 && j >= 0 ? system.slot(i, j, c) : -1);
-        }
-      }
-    }
-  }
-  for (int i = 0; i < static_cast<int>(n); ++i)
-  {
-    system.Diagonal.push_back(system.slot(i / 2, i / 2, i % 2) + i % 2);
-  }
-  if (n > 0)
-  {
-    system.Solver.emplace(system.Hessian, MultifrontalSolver::Kind::Cholesky);
-  }
 }
 
 CapDescent::~CapDescent() = default;
@@ -175,83 +78,80 @@ CapDescent::~CapDescent() = default;
 /// The sum of the terms, about one set of points: steps are taken in their tangent planes.
 struct CapDescent::Energy
 {
-  Energy(const CapCorners& cap, System& equations, const Terms& terms, const Points& points)
+  Energy(const CapCorners& cap, CapEquations& equations, const Terms& terms, const Points& points)
     : Cap(cap)
     , Equations(equations)
     , TermsOf(terms)
     , Gradient(2 * static_cast<Index>(cap.freeNodes().size()))
+    , Frames(cap.freeNodes().size())
+    , Spaces(cap.corners().size())
+    , Values(cap.quads().rows())
   {
     const Points normals = cap.normals(points);
-    for (const Index i : cap.freeNodes())
-    {
-      this->Frames.push_back(tangentFrame(normals.row(i)));
-    }
-    for (std::size_t c = 0; c < cap.corners().size(); ++c)
-    {
-      if (cap.corners()[c].movable)
-      {
-        this->Movable.push_back(c);
-        this->Spaces.push_back(spaceFrame(cap.normal(cap.corners()[c], normals)));
-      }
-    }
+    forPieces(cap.parallelFor(), static_cast<Index>(this->Frames.size()), NodesAtOnce,
+      [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k)
+        {
+          const auto i = static_cast<std::size_t>(k);
+          this->Frames[i] = tangentFrame(normals.row(cap.freeNodes()[i]));
+        }
+      });
+    forPieces(cap.parallelFor(), static_cast<Index>(this->Spaces.size()), NodesAtOnce,
+      [&](Index begin, Index end) {
+        for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
+        {
+          if (cap.corners()[c].movable)
+          {
+            this->Spaces[c] = spaceFrame(cap.normal(cap.corners()[c], normals));
+          }
+        }
+      });
   }
 
-  double valueAt(const Points& at) const
+  double valueAt(const Points& at)
   {
-    double sum = 0.0;
-    for (std::size_t m = 0; m < this->Movable.size(); ++m)
-    {
-      const std::size_t c = this->Movable[m];
-      const CornerEdges edges = this->edges(m, at);
-      sum += this->hasColumnTerm(c) ? (*this->TermsOf.column)(c, edges).value
-        : this->TermsOf.value       ? (*this->TermsOf.value)(c, edges.topRows<2>())
+    forPieces(
+      this->Cap.parallelFor(), this->Values.size(), QuadsAtOnce, [&](Index begin, Index end) {
+        for (Index q = begin; q < end; ++q)
+        {
+          this->Values[q] = 0.0;
+          this->forCorners(q, [&](std::size_t c) {
+            const CornerEdges edges = this->edges(c, at);
+            this->Values[q] += this->hasColumnTerm(c) ? (*this->TermsOf.column)(c, edges).value
+              : this->TermsOf.value ? (*this->TermsOf.value)(c, edges.topRows<2>())
                                     : this->TermsOf.plane(c, edges.topRows<2>()).value;
-    }
-    return sum;
+          });
+        }
+      });
+    return this->sum();
   }
 
   /// Fills gradient and Hessian; returns the sum.
   double assemble(const Points& at)
   {
-    double sum = 0.0;
     this->Gradient.setZero();
-    double* values = this->Equations.Hessian.valuePtr();
-    std::fill(values, values + this->Equations.Hessian.nonZeros(), 0.0);
-    for (std::size_t m = 0; m < this->Movable.size(); ++m)
+    this->Equations.setZero();
+    for (const std::vector<Index>& quads : this->Equations.colors())
     {
-      const std::size_t c = this->Movable[m];
-      const CornerEdges edges = this->edges(m, at);
-      if (this->hasColumnTerm(c))
-      {
-        const ColumnCornerTerm t = (*this->TermsOf.column)(c, edges);
-        sum += t.value;
-        this->add<3>(m, t.gradient, t.curvature);
-      }
-      else
-      {
-        const CornerTerm t = this->TermsOf.plane(c, edges.topRows<2>());
-        sum += t.value;
-        this->add<2>(m, t.gradient, t.curvature);
-      }
+      forPieces(this->Cap.parallelFor(), static_cast<Index>(quads.size()), QuadsAtOnce,
+        [&](Index begin, Index end) {
+          for (Index k = begin; k < end; ++k)
+          {
+            const Index q = quads[static_cast<std::size_t>(k)];
+            this->Values[q] = 0.0;
+            this->forCorners(q, [&](std::size_t c) { this->Values[q] += this->addTerm(c, at); });
+          }
+        });
     }
-    return sum;
+    return this->sum();
   }
 
-  /// Newton's step from where assemble() was called last.
-  Eigen::VectorXd step()
+  /// Newton's step from the points where assemble() was called last.
+  Eigen::VectorXd step(const Points& at)
   {
-    SparseMatrix& hessian = this->Equations.Hessian;
-    double sum = 0.0;
-    for (const int i : this->Equations.Diagonal)
-    {
-      sum += hessian.valuePtr()[i];
-    }
-    const double shift = Damping * sum / static_cast<double>(this->Equations.Diagonal.size());
-    for (const int i : this->Equations.Diagonal)
-    {
-      hessian.valuePtr()[i] += shift;
-    }
-    return this->Equations.step(this->Gradient);
+    this->Equations.damp(Damping);
+    return this->Equations.step(
+      this->Gradient, at(this->Cap.freeNodes(), Eigen::all), this->Cap.parallelFor());
   }
 
   Points moved(const Points& from, const Eigen::VectorXd& move, double t) const
@@ -268,77 +168,101 @@ struct CapDescent::Energy
   const Eigen::VectorXd& gradient() const { return this->Gradient; }
 
 private:
+  /// In the order of the quads, whoever has added up the corners of each.
+  double sum() const
+  {
+    double sum = 0.0;
+    for (Index q = 0; q < this->Values.size(); ++q)
+    {
+      sum += this->Values[q];
+    }
+    return sum;
+  }
+
+  /// The movable ones of a quad.
+  template <typename Body>
+  void forCorners(Index q, const Body& body) const
+  {
+    for (std::size_t c = this->Equations.firstCorner(q); c < this->Equations.firstCorner(q + 1);
+         ++c)
+    {
+      if (this->Cap.corners()[c].movable)
+      {
+        body(c);
+      }
+    }
+  }
+
   bool hasColumnTerm(std::size_t c) const
   {
     return this->TermsOf.column && this->Cap.corners()[c].column >= 0;
   }
 
   /// Of a movable corner, in its frame.
-  CornerEdges edges(std::size_t m, const Points& at) const
+  CornerEdges edges(std::size_t c, const Points& at) const
   {
-    const QuadCorner& corner = this->Cap.corners()[this->Movable[m]];
+    const QuadCorner& corner = this->Cap.corners()[c];
     CornerEdges edges;
     edges.col(0) = (at.row(corner.node[1]) - at.row(corner.node[0])).transpose();
     edges.col(1) = (at.row(corner.node[2]) - at.row(corner.node[0])).transpose();
-    return this->Spaces[m] * edges;
+    return this->Spaces[c] * edges;
+  }
+
+  /// @return its value.
+  double addTerm(std::size_t c, const Points& at)
+  {
+    const CornerEdges edges = this->edges(c, at);
+    if (this->hasColumnTerm(c))
+    {
+      const ColumnCornerTerm t = (*this->TermsOf.column)(c, edges);
+      this->add<3>(c, t.gradient, t.curvature);
+      return t.value;
+    }
+    const CornerTerm t = this->TermsOf.plane(c, edges.topRows<2>());
+    this->add<2>(c, t.gradient, t.curvature);
+    return t.value;
   }
 
   /// Of a movable corner whose term looks at D coordinates of its frame.
   template <int D>
-  void add(std::size_t m, const Eigen::Matrix<double, D, 2>& gradient,
+  void add(std::size_t c, const Eigen::Matrix<double, D, 2>& gradient,
     const Eigen::Matrix<double, 2 * D, 2 * D>& curvature)
   {
-    const std::size_t c = this->Movable[m];
-    const QuadCorner& corner = this->Cap.corners()[c];
     Eigen::Matrix<double, D, 2> turn[3]; // from a node's frame to the corner's
     const Eigen::Matrix<double, D, 1> pull[3] = { -gradient.rowwise().sum(), gradient.col(0),
       gradient.col(1) };
-    int variable[3];
-    for (int i = 0; i < 3; ++i)
+    const std::array<int, 3> variable = this->Equations.variables(this->Cap.corners()[c]);
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      variable[i] = this->Equations.Variable[static_cast<std::size_t>(corner.node[i])];
       if (variable[i] >= 0)
       {
-        turn[i] = this->Spaces[m].template topRows<D>() *
+        turn[i] = this->Spaces[c].template topRows<D>() *
           this->Frames[static_cast<std::size_t>(variable[i])].transpose();
         this->Gradient.template segment<2>(2 * variable[i]) += turn[i].transpose() * pull[i];
       }
     }
     const NodeCurvature<D> between(curvature);
-    double* values = this->Equations.Hessian.valuePtr();
-    const int* slots = this->Equations.Slots.data() + 18 * c;
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      for (int j = i; j < 3; ++j)
+      for (std::size_t j = i; j < 3; ++j)
       {
         if (variable[i] < 0 || variable[j] < 0)
         {
           continue;
         }
         const Eigen::Matrix2d block = turn[i].transpose() * (between.blocks[i][j] * turn[j]).eval();
-        for (int k = 0; k < 2; ++k)
-        {
-          double* column = values + slots[6 * i + 2 * j + k];
-          column[0] += block(0, k);
-          column[1] += block(1, k);
-          if (i != j)
-          {
-            double* mirrored = values + slots[6 * j + 2 * i + k];
-            mirrored[0] += block(k, 0);
-            mirrored[1] += block(k, 1);
-          }
-        }
+        this->Equations.add(c, i, j, block);
       }
     }
   }
 
   const CapCorners& Cap;
-  System& Equations;
+  CapEquations& Equations;
   const Terms& TermsOf;
   Eigen::VectorXd Gradient;
   std::vector<TangentFrame> Frames;    // of the free nodes
-  std::vector<std::size_t> Movable;    // corners
-  std::vector<Eigen::Matrix3d> Spaces; // of the movable corners
+  std::vector<Eigen::Matrix3d> Spaces; // of the movable corners, by the numbers of all
+  Eigen::VectorXd Values;              // of the quads
 };
 
 CapDescent::Result CapDescent::descend(const Points& points, const Term& term, int steps,
@@ -349,9 +273,10 @@ CapDescent::Result CapDescent::descend(const Points& points, const Term& term, i
 }
 
 CapDescent::Result CapDescent::descend(const Points& points, const Term& term, const Value& value,
-  int steps, double relativeDecrease) const
+  int steps, double relativeDecrease, const ColumnTerm& columnTerm) const
 {
-  return this->descend(points, Terms{ term, &value, nullptr }, steps, relativeDecrease);
+  return this->descend(
+    points, Terms{ term, &value, columnTerm ? &columnTerm : nullptr }, steps, relativeDecrease);
 }
 
 CapDescent::Result CapDescent::descend(
@@ -369,7 +294,7 @@ CapDescent::Result CapDescent::descend(
   result.before = value;
   for (int step = 0; step < steps && energy.gradient().squaredNorm() > 0.0; ++step)
   {
-    const Eigen::VectorXd move = energy.step();
+    const Eigen::VectorXd move = energy.step(result.points);
     const double slope = move.dot(energy.gradient());
     if (!move.allFinite() || !(slope < 0.0))
     {

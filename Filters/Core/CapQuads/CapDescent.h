@@ -6,7 +6,7 @@
 #ifndef hexsweep_CapDescent_h
 #define hexsweep_CapDescent_h
 
-#include "Core/CapQuads/CapCorners.h"
+#include "Core/CapQuads/CapEquations.h"
 
 #include <memory>
 
@@ -37,12 +37,13 @@ struct ColumnCornerTerm
 /**
  * Moves the free nodes in their tangent planes, then puts them back on the surface.
  *
- * The sparsity is that of the mesh and analysed once.
+ * The sparsity is that of the mesh and analysed once. All work is done on the threads of the
+ * corners, see CapCorners; the bits do not depend on them.
  */
 class CapDescent
 {
 public:
-  explicit CapDescent(const CapCorners& cap);
+  explicit CapDescent(const CapCorners& cap, NewtonEquations equations = NewtonEquations::Exactly);
   ~CapDescent();
 
   /// Called with the number of the corner (see CapCorners::corners()).
@@ -70,17 +71,16 @@ public:
 
   /// The same where a term's value is cheaper than all of it: along a step nothing else is asked.
   Result descend(const Points& points, const Term& term, const Value& value, int steps,
-    double relativeDecrease) const;
+    double relativeDecrease, const ColumnTerm& columnTerm = {}) const;
 
 private:
-  struct System;
   struct Energy;
   struct Terms;
   Result descend(
     const Points& points, const Terms& terms, int steps, double relativeDecrease) const;
 
   const CapCorners& Cap;
-  std::unique_ptr<System> Equations;
+  std::unique_ptr<CapEquations> Equations;
 };
 }
 

@@ -32,10 +32,10 @@ constexpr double MaximumQuads = 50e6;
 /// are as large as squares of the wanted size.
 constexpr double TriangleSize = 2.32;
 constexpr double Growth = 0.4;
-constexpr double LeastOfChord = 0.02; // of the size: chords ask for nothing shorter
 constexpr double DefaultQuads = 1000.0;
 constexpr double MostDefaultQuads = 16000.0;
 constexpr double DefaultLoopEdges = 12.0;
+constexpr Index QuadsAtOnce = 1024;
 
 void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
   const std::vector<Index>& faceIds, const CapQuadOptions& options)
@@ -155,9 +155,11 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
     divideCapCurves(cap, curves, 2.0 * options.size, options.chordTolerance);
   divideAtEverySecondPoint(cap.points, curves, kept, divided);
   const DividedCap prepared = putNodesOnCurves(cap, curves, divided, options.keep);
-  const SurfaceSearch surface(cap);
+  const ParallelFor& threads = options.parallelFor;
+  const auto search = std::make_shared<const SurfaceSearch>(cap);
+  const SurfaceSearch& surface = *search;
   RemeshedSurface remeshed = remeshSurface(prepared.input, surface, TriangleSize * options.size,
-    Growth, progressPart(progress, 0.0, 0.5), longestEdges(cap, faceIds, options));
+    Growth, progressPart(progress, 0.0, 0.5), threads, longestEdges(cap, faceIds, options));
 
   const std::vector<CurveEdge> onCurves = curveEdges(prepared, remeshed.pointOf, kept);
   std::vector<std::pair<Index, Index>> keptEdges;
@@ -169,7 +171,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
     openCornerFans(remeshed.mesh, options.fans, keptEdges, surface);
   keptEdges.insert(keptEdges.end(), parted.begin(), parted.end());
   const PairedTriangles paired =
-    pairTriangles(remeshed.mesh, surface.normals(remeshed.mesh.points), keptEdges);
+    pairTriangles(remeshed.mesh, surface.normals(remeshed.mesh.points, threads), keptEdges);
   SubdividedFaces subdivided =
     subdivideAtMidpoints(remeshed.mesh.points, paired.quads, paired.triangles);
 
@@ -182,7 +184,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
     result.keptNodes.push_back(remeshed.pointOf[static_cast<std::size_t>(point)]);
   }
   const Index coarse = remeshed.mesh.points.rows();
-  Points points = surface.project(subdivided.mesh.points).points;
+  Points points = surface.project(subdivided.mesh.points, threads).points;
   points.topRows(coarse) = remeshed.mesh.points;
   result.onCurve.assign(static_cast<std::size_t>(points.rows()), false);
   for (const CurveEdge& edge : onCurves)
@@ -202,28 +204,31 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
     fixed[static_cast<std::size_t>(node)] = true;
   }
   result.mesh.points = std::move(points);
-  const CapCorners corners(result.mesh.quads, fixed, cap, {}, result.mesh.points);
+  const CapCorners corners(
+    result.mesh.quads, fixed, search, {}, result.mesh.points, LeaningColumns::PassedOver, threads);
   result.mesh.points = untangleQuads(
     corners, result.mesh.points, result.mesh.points, progressPart(progress, 0.5, 0.75))
                          .points;
-  result.mesh.points = polishQuads(
-    corners, result.mesh.points, result.mesh.points, {}, progressPart(progress, 0.75, 1.0))
-                         .points;
+  result.mesh.points =
+    polishQuads(corners, result.mesh.points, result.mesh.points, progressPart(progress, 0.75, 1.0))
+      .points;
 
-  const TriangleSearch search(cap.points, cap.triangles);
-  Index last = -1;
-  for (Index q = 0; q < result.mesh.quads.rows(); ++q)
-  {
-    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
-    for (Index c = 0; c < 4; ++c)
+  result.quadOrigin.resize(static_cast<std::size_t>(result.mesh.quads.rows()));
+  forPieces(threads, result.mesh.quads.rows(), QuadsAtOnce, [&](Index begin, Index end) {
+    Index last = -1;
+    for (Index q = begin; q < end; ++q)
     {
-      middle += 0.25 * result.mesh.points.row(result.mesh.quads(q, c));
+      Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+      for (Index c = 0; c < 4; ++c)
+      {
+        middle += 0.25 * result.mesh.points.row(result.mesh.quads(q, c));
+      }
+      last = surface.project(middle, last).triangle;
+      result.quadOrigin[static_cast<std::size_t>(q)] = last;
     }
-    last = search.closest(middle, last).triangle;
-    result.quadOrigin.push_back(last);
-  }
-  const QuadQuality quality =
-    quadQuality(result.mesh.points, result.mesh.quads, surface.normals(result.mesh.points));
+  });
+  const QuadQuality quality = quadQuality(
+    result.mesh.points, result.mesh.quads, surface.normals(result.mesh.points, threads));
   result.inverted = quality.inverted;
   result.minimumScaledJacobian = quality.minimum;
   result.meanScaledJacobian = quality.mean;

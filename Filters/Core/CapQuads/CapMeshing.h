@@ -10,6 +10,7 @@
 #define hexsweep_CapMeshing_h
 
 #include "Core/CapQuads/CornerFans.h"
+#include "Core/Common/ParallelFor.h"
 
 #include <utility>
 
@@ -26,6 +27,7 @@ struct CapQuadOptions
   /// in any order.
   std::vector<std::pair<Index, Index>> keepEdges;
   std::vector<CornerFan> fans; ///< nodes of earlier quads of the same cap that want more quads
+  ParallelFor parallelFor;     ///< lends threads; the bits do not depend on them
 };
 
 struct CapQuads

@@ -12,6 +12,9 @@
 
 namespace hexsweep
 {
+/// Of the wanted size of quads: the shortest edges that chords ask for.
+constexpr double LeastOfChord = 0.02;
+
 /**
  * The length of a chord whose arc rises above it by a share of the chord: 8 share / curvature, to
  * first order.

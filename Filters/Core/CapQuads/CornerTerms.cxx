@@ -14,6 +14,14 @@ namespace
 /// Sine of a source corner below which a right angle is wanted instead.
 constexpr double SharpestReference = 0.2;
 
+/// Of the quad that a corner came from: a side, counted from the corner on.
+Eigen::RowVector3d sideOf(
+  const PointsRef& source, const Quads& quads, const QuadCorner& corner, Index k)
+{
+  return source.row(quads(corner.quad, (corner.corner + k + 1) % 4)) -
+    source.row(quads(corner.quad, (corner.corner + k) % 4));
+}
+
 Eigen::Matrix2d referenceCorner(
   ReferenceShape shape, const PointsRef& source, const Quads& quads, const QuadCorner& corner)
 {
@@ -22,16 +30,12 @@ Eigen::Matrix2d referenceCorner(
   {
     return reference;
   }
-  const auto side = [&](Index k) -> Eigen::RowVector3d {
-    return source.row(quads(corner.quad, (corner.corner + k + 1) % 4)) -
-      source.row(quads(corner.quad, (corner.corner + k) % 4));
-  };
-  reference(0, 0) = 0.5 * (side(0).norm() + side(2).norm());
-  reference(1, 1) = 0.5 * (side(1).norm() + side(3).norm());
+  const std::array<double, 2> lengths = rectangleOf(source, quads, corner);
+  reference.diagonal() << lengths[0], lengths[1];
   if (shape == ReferenceShape::SourceQuad)
   {
-    const Eigen::RowVector3d next = side(0);
-    const Eigen::RowVector3d previous = -side(3);
+    const Eigen::RowVector3d next = sideOf(source, quads, corner, 0);
+    const Eigen::RowVector3d previous = -sideOf(source, quads, corner, 3);
     const double height = next.cross(previous).norm() / next.norm();
     if (height > SharpestReference * previous.norm())
     {
@@ -40,6 +44,13 @@ Eigen::Matrix2d referenceCorner(
   }
   return reference;
 }
+}
+
+std::array<double, 2> rectangleOf(
+  const PointsRef& source, const Quads& quads, const QuadCorner& corner)
+{
+  const auto length = [&](Index k) { return sideOf(source, quads, corner, k).norm(); };
+  return { 0.5 * (length(0) + length(2)), 0.5 * (length(1) + length(3)) };
 }
 
 std::vector<Eigen::Matrix2d> inverseReferences(

@@ -8,6 +8,8 @@
 
 #include "Core/CapQuads/CapDescent.h"
 
+#include <array>
+
 namespace hexsweep
 {
 /// In distortion(). Shape counts, size hardly: quads of very different sizes are wanted where a
@@ -29,6 +31,11 @@ enum class ReferenceShape
   Rectangle,  ///< a rectangle with the source quad's mean edge lengths
   Square
 };
+
+/// Mean lengths of the source quad's sides at a corner and of those across: to the next node, to
+/// the previous one.
+std::array<double, 2> rectangleOf(
+  const PointsRef& source, const Quads& quads, const QuadCorner& corner);
 
 /**
  * Inverse of the wanted edge matrix of each corner (columns: edge to the next node, edge to the

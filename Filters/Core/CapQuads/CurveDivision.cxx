@@ -28,8 +28,7 @@ constexpr double FacingCosine = 0.8;  // between conormals and the way across a 
 constexpr double WedgeReach = 4.0;
 constexpr double LeastOfCurve = 0.02; // of the size: shorter curves ask for nothing shorter
 constexpr double TurnOfEdge = 0.5 * Pi;
-constexpr double LeastOfTurn = 0.5;   // of the size: bends ask for nothing shorter
-constexpr double LeastOfChord = 0.02; // of the size: chords ask for nothing shorter
+constexpr double LeastOfTurn = 0.5; // of the size: bends ask for nothing shorter
 constexpr Index LeastLoopEdges = 4;
 constexpr double MaximumEdges = 10e6;
 

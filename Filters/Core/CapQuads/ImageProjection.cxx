@@ -14,7 +14,7 @@ constexpr double Rounding = 1e-12;
 
 SweepProjection projectToImage(const QuadMesh& source, const AffineMap& map,
   const std::vector<FixedNode>& boundary, const std::vector<FixedNode>& borders,
-  const TriangleMesh& target, bool singlePrecision)
+  const TriangleMesh& target, bool singlePrecision, const ParallelFor& parallelFor)
 {
   SweepProjection result;
   Points& points = result.quads.points;
@@ -22,7 +22,7 @@ SweepProjection projectToImage(const QuadMesh& source, const AffineMap& map,
   const std::vector<bool> used = usedPoints(source.quads, points.rows());
   const Points image = map.apply(source.points);
   const SurfaceSearch surface(target);
-  const SurfacePlaces places = surface.project(image);
+  const SurfacePlaces places = surface.project(image, parallelFor);
   const double slack =
     Rounding * (target.points.colwise().maxCoeff() - target.points.colwise().minCoeff()).norm();
   std::vector<bool> fixed = used; // points that no quad uses are nobody's to move

@@ -26,7 +26,7 @@ namespace hexsweep
  */
 SweepProjection projectToImage(const QuadMesh& source, const AffineMap& map,
   const std::vector<FixedNode>& boundary, const std::vector<FixedNode>& borders,
-  const TriangleMesh& target, bool singlePrecision);
+  const TriangleMesh& target, bool singlePrecision, const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -20,6 +20,7 @@ constexpr double LeastNodeGain = 1e-2; // of its sum, for a node to be moved
 /// Of Newton's step: nodes follow each other from sweep to sweep.
 constexpr double Relaxation = 1.4;
 constexpr Index NodesAtOnce = 256;
+constexpr Index CornersAtOnce = 4096;
 
 /// distortion() of an upright corner against a rectangle, above its least.
 double distortionOf(double squareA, double squareB, double determinant, const double* wanted)
@@ -84,27 +85,65 @@ CurvePoint CornerLoss::at(double x) const
 
 QuadNodeMoves::QuadNodeMoves(const CapCorners& cap, const Points& points, const PointsRef& source)
   : Cap(cap)
-  , Places(points)
+  , Corners(cap.corners().size())
+  , InverseLengths(cap.corners().size())
   , FreeNumber(static_cast<std::size_t>(points.rows()), -1)
   , Triangle(cap.freeNodes().size(), -1)
-  , Awake(cap.freeNodes().size(), 1)
+  , Normals(cap.freeNodes().size())
 {
-  const std::vector<Eigen::Matrix2d> inverse =
-    inverseReferences(cap, ReferenceShape::Rectangle, source, points);
-  const Points normals = cap.normals(points);
-  for (std::size_t c = 0; c < cap.corners().size(); ++c)
-  {
-    const QuadCorner& corner = cap.corners()[c];
-    this->Corners.push_back({ { corner.node[0], corner.node[1], corner.node[2] }, corner.column,
-      cap.normal(corner, normals).transpose(), { inverse[c](0, 0), inverse[c](1, 1) } });
-  }
   for (std::size_t k = 0; k < cap.freeNodes().size(); ++k)
   {
     this->FreeNumber[static_cast<std::size_t>(cap.freeNodes()[k])] = static_cast<Index>(k);
-    this->Normals.emplace_back(normals.row(cap.freeNodes()[k]).transpose());
   }
+  this->makeCorners(source);
   this->sort();
   this->color();
+  this->reset(points);
+}
+
+/// All that does not depend on where the nodes are.
+void QuadNodeMoves::makeCorners(const PointsRef& source)
+{
+  forPieces(this->Cap.parallelFor(), static_cast<Index>(this->Corners.size()), CornersAtOnce,
+    [&](Index begin, Index end) {
+      for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
+      {
+        const QuadCorner& corner = this->Cap.corners()[c];
+        this->Corners[c] = { { corner.node[0], corner.node[1], corner.node[2] }, corner.column,
+          Eigen::Vector3d::Zero(), { 1.0, 1.0 } };
+        const std::array<double, 2> lengths = rectangleOf(source, this->Cap.quads(), corner);
+        this->InverseLengths[c] = { 1.0 / lengths[0], 1.0 / lengths[1] };
+      }
+    });
+}
+
+void QuadNodeMoves::reset(const Points& points)
+{
+  this->Places = points;
+  this->Awake.assign(this->Triangle.size(), 1);
+  const Points normals = this->Cap.normals(points);
+  for (std::size_t k = 0; k < this->Normals.size(); ++k)
+  {
+    this->Normals[k] = normals.row(this->Cap.freeNodes()[k]).transpose();
+  }
+  double wanted = 0.0; // areas of all corners
+  double found = 0.0;
+  for (std::size_t c = 0; c < this->Corners.size(); ++c)
+  {
+    Corner& corner = this->Corners[c];
+    corner.normal = this->Cap.normal(this->Cap.corners()[c], normals).transpose();
+    if (corner.column < 0)
+    {
+      wanted += 1.0 / (this->InverseLengths[c][0] * this->InverseLengths[c][1]);
+      found += this->armsOf(corner).determinant;
+    }
+  }
+  const double scale = std::sqrt(wanted / std::abs(found));
+  for (std::size_t c = 0; c < this->Corners.size(); ++c)
+  {
+    this->Corners[c].wanted[0] = scale * this->InverseLengths[c][0];
+    this->Corners[c].wanted[1] = scale * this->InverseLengths[c][1];
+  }
 }
 
 /// The corners at each free node, one node after the other.
@@ -345,9 +384,10 @@ bool QuadNodeMoves::move(Index number, const Losses& losses)
   return false;
 }
 
-Index QuadNodeMoves::sweep(const Losses& losses, const ParallelFor& parallelFor)
+Index QuadNodeMoves::sweep(const Losses& losses)
 {
   Index total = 0;
+  std::vector<Index> movedNodes;
   std::vector<Index> nodes;
   std::vector<char> moved;
   for (const std::vector<Index>& group : this->Groups)
@@ -361,42 +401,59 @@ Index QuadNodeMoves::sweep(const Losses& losses, const ParallelFor& parallelFor)
       }
     }
     moved.assign(nodes.size(), 0);
-    forPieces(
-      parallelFor, static_cast<Index>(nodes.size()), NodesAtOnce, [&](Index begin, Index end) {
+    forPieces(this->Cap.parallelFor(), static_cast<Index>(nodes.size()), NodesAtOnce,
+      [&](Index begin, Index end) {
         for (Index n = begin; n < end; ++n)
         {
           moved[static_cast<std::size_t>(n)] =
             this->move(nodes[static_cast<std::size_t>(n)], losses) ? 1 : 0;
         }
       });
+    movedNodes.clear();
     for (std::size_t n = 0; n < nodes.size(); ++n)
     {
-      if (!moved[n])
+      if (moved[n])
       {
-        continue;
+        movedNodes.push_back(nodes[n]);
       }
-      ++total;
-      const auto k = static_cast<std::size_t>(nodes[n]);
-      this->wakeAround(k);
     }
+    total += static_cast<Index>(movedNodes.size());
+    this->wakeAround(movedNodes);
   }
   return total;
 }
 
-void QuadNodeMoves::wakeAround(std::size_t k)
+void QuadNodeMoves::wakeAround(const std::vector<Index>& moved)
 {
-  for (Index i = this->FirstIncidence[k]; i < this->FirstIncidence[k + 1]; ++i)
+  std::vector<Index> asleep;
+  for (const Index number : moved)
   {
-    for (const Index node : this->cornerAt(i).node)
+    const auto k = static_cast<std::size_t>(number);
+    for (Index i = this->FirstIncidence[k]; i < this->FirstIncidence[k + 1]; ++i)
     {
-      const Index other = this->FreeNumber[static_cast<std::size_t>(node)];
-      if (other >= 0)
+      for (const Index node : this->cornerAt(i).node)
       {
-        char& awake = this->Awake[static_cast<std::size_t>(other)];
-        awake = awake || this->isWanting(static_cast<std::size_t>(other));
+        const Index other = this->FreeNumber[static_cast<std::size_t>(node)];
+        if (other >= 0 && !this->Awake[static_cast<std::size_t>(other)])
+        {
+          this->Awake[static_cast<std::size_t>(other)] = 1; // looked at once
+          asleep.push_back(other);
+        }
       }
     }
   }
+  if (this->Enough > 1.0)
+  {
+    return;
+  }
+  forPieces(this->Cap.parallelFor(), static_cast<Index>(asleep.size()), NodesAtOnce,
+    [&](Index begin, Index end) {
+      for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n)
+      {
+        const auto k = static_cast<std::size_t>(asleep[n]);
+        this->Awake[k] = this->isWanting(k) ? 1 : 0;
+      }
+    });
 }
 
 /// Whether a corner at a node is below what wakes it.
@@ -419,19 +476,24 @@ bool QuadNodeMoves::isWanting(std::size_t k) const
 void QuadNodeMoves::wake(double enough)
 {
   this->Enough = enough;
-  for (std::size_t k = 0; k < this->Awake.size(); ++k)
-  {
-    this->Awake[k] = this->isWanting(k) ? 1 : 0;
-  }
+  forPieces(this->Cap.parallelFor(), static_cast<Index>(this->Awake.size()), NodesAtOnce,
+    [&](Index begin, Index end) {
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      {
+        this->Awake[k] = this->isWanting(k) ? 1 : 0;
+      }
+    });
 }
 
 double QuadNodeMoves::least() const
 {
   double least = 1.0;
-  for (const Incidence& incidence : this->Incidences)
+  for (std::size_t c = 0; c < this->Corners.size(); ++c)
   {
-    least = std::min(
-      least, this->armsOf(this->Corners[static_cast<std::size_t>(incidence.corner)]).jacobian);
+    if (this->Cap.corners()[c].movable)
+    {
+      least = std::min(least, this->armsOf(this->Corners[c]).jacobian);
+    }
   }
   return least;
 }

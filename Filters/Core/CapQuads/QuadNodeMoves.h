@@ -8,7 +8,8 @@
 
 #include "Core/CapQuads/CapCorners.h"
 #include "Core/CapQuads/CornerTerms.h"
-#include "Core/Common/ParallelFor.h"
+
+#include <array>
 
 namespace hexsweep
 {
@@ -45,6 +46,9 @@ public:
   /// @param source n x 3: proportions of the quads. @param cap must stay.
   QuadNodeMoves(const CapCorners& cap, const Points& points, const PointsRef& source);
 
+  /// Begins anew from other points of the same mesh. All nodes are awake.
+  void reset(const Points& points);
+
   /// What the corners are to gain.
   struct Losses
   {
@@ -53,8 +57,8 @@ public:
     double floor;                      ///< scaled Jacobian that no corner at a moved node is below
   };
 
-  /// A sweep over the nodes that are awake. @return how many moved.
-  Index sweep(const Losses& losses, const ParallelFor& parallelFor);
+  /// A sweep over the nodes that are awake, on the threads of the corners. @return how many moved.
+  Index sweep(const Losses& losses);
 
   /// Has the nodes with a corner below `enough` at them looked at again, lets the others sleep,
   /// even when a neighbour moves.
@@ -87,12 +91,13 @@ private:
   };
   using Frame = Eigen::Matrix<double, 2, 3>;
 
+  void makeCorners(const PointsRef& source);
   void color();
   void sort();
   void add(const Incidence& incidence, const Frame& frame, const Losses& losses, Sum& sum) const;
   Arms armsOf(const Corner& corner) const;
   bool isWanting(std::size_t k) const;
-  void wakeAround(std::size_t k);
+  void wakeAround(const std::vector<Index>& moved);
   const Corner& cornerAt(Index i) const
   {
     return this
@@ -106,7 +111,8 @@ private:
   const CapCorners& Cap;
   Points Places;
   std::vector<Corner> Corners;
-  std::vector<Index> FirstIncidence; // of each free node, by its number among them
+  std::vector<std::array<double, 2>> InverseLengths; // of the source's edges at each corner
+  std::vector<Index> FirstIncidence;                 // of each free node, by its number among them
   std::vector<Incidence> Incidences;
   std::vector<Index> FreeNumber; // of each node, or -1
   std::vector<Index> Triangle;   // last known of each free node

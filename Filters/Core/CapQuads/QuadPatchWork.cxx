@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/QuadPatchWork.h"
 
-#include "Core/Common/Errors.h"
+#include "Core/Common/StoppablePieces.h"
+
+#include <numeric>
 
 namespace hexsweep
 {
@@ -39,19 +41,23 @@ bool QuadPatchWork::run(ImprovedQuads& quads, double floor, int rings, double mo
   {
     return false;
   }
-  for (std::size_t p = 0; p < patches.size(); ++p)
-  {
-    reportProgress(progress, static_cast<double>(p) / static_cast<double>(patches.size()));
-    const CellPatch& patch = patches[p];
-    const Points source = this->Source(patch.nodes, Eigen::all);
-    const ImprovedQuads mended =
-      work(CapCorners(this->Cap, patch), quads.points(patch.nodes, Eigen::all), source);
-    quads.rounds += mended.rounds;
-    for (std::size_t i = 0; i < patch.nodes.size(); ++i)
-    {
-      quads.points.row(patch.nodes[i]) = mended.points.row(static_cast<Index>(i));
-    }
-  }
+  // A single one has all threads to itself.
+  const ParallelFor within = patches.size() == 1 ? this->Cap.parallelFor() : ParallelFor();
+  std::vector<int> rounds(patches.size(), 0);
+  forStoppablePieces(
+    this->Cap.parallelFor(), progress, static_cast<Index>(patches.size()), 1, [&](Index p, Index) {
+      // No other patch has these nodes.
+      const CellPatch& patch = patches[static_cast<std::size_t>(p)];
+      const Points source = this->Source(patch.nodes, Eigen::all);
+      const ImprovedQuads mended =
+        work(CapCorners(this->Cap, patch, within), quads.points(patch.nodes, Eigen::all), source);
+      rounds[static_cast<std::size_t>(p)] = mended.rounds;
+      for (std::size_t i = 0; i < patch.nodes.size(); ++i)
+      {
+        quads.points.row(patch.nodes[i]) = mended.points.row(static_cast<Index>(i));
+      }
+    });
+  quads.rounds = std::accumulate(rounds.begin(), rounds.end(), quads.rounds);
   quads.quality = this->Cap.measure(quads.points);
   return true;
 }

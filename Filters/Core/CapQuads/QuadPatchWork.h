@@ -17,7 +17,8 @@ namespace hexsweep
 class QuadPatchWork
 {
 public:
-  /// Moves the free nodes of a patch; points and source points are the patch's as well.
+  /// Moves the free nodes of a patch; points and source points are the patch's as well. Called from
+  /// any thread.
   using Work =
     std::function<ImprovedQuads(const CapCorners&, const Points&, const PointsRef& source)>;
 

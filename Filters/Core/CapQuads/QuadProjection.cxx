@@ -2,6 +2,7 @@
 #include "Core/CapQuads/QuadProjection.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Common/StoppablePieces.h"
 #include "Core/DiskMaps/DomainTriangulation.h"
 #include "Core/Geometry/AffineMap.h"
 #include "Core/Geometry/HilbertOrder.h"
@@ -19,6 +20,7 @@ namespace hexsweep
 namespace
 {
 constexpr std::size_t NodesPerReport = 4096;
+constexpr Index NodesPerPiece = 1024;
 
 /// A point of the disk counts as outside all triangles beyond this distance; the disk's size is 1,
 /// so this is rounding.
@@ -150,7 +152,7 @@ ProjectedQuads startFrom(const PointsRef& quadPoints, const std::vector<FixedNod
 
 ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vector<bool>& used,
   const std::vector<FixedNode>& boundary, const CapDisk& source, const CapDisk& target,
-  const Progress& progress)
+  const Progress& progress, const ParallelFor& parallelFor)
 {
   if (source.domain != target.domain)
   {
@@ -170,15 +172,25 @@ ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vecto
 
   const std::vector<Index> nodes = interiorNodes(quadPoints, used, boundary);
   PlanePoints inDisk(static_cast<Index>(nodes.size()), 2);
-  Index lastSource = -1;
-  forEachNode(nodes, progressPart(progress, 0.0, SourceShare), [&](Index k, Index i) {
-    const TrianglePoint onCap = onSource.closest(quadPoints.row(i), lastSource);
-    lastSource = onCap.triangle;
-    result.maximumSourceDistance = std::max(result.maximumSourceDistance, onCap.distance);
-    inDisk.row(k) = wrapDomainPoint(source.domain,
-      onCap.coordinates *
-        domainCorners(source.domain, source.disk, source.mesh.triangles.row(onCap.triangle)));
-  });
+  Eigen::VectorXd distances(inDisk.rows());
+  forStoppablePieces(parallelFor, progressPart(progress, 0.0, SourceShare), inDisk.rows(),
+    NodesPerPiece, [&](Index begin, Index end) {
+      Index last = -1; // what is near is found faster, and is the same
+      for (Index k = begin; k < end; ++k)
+      {
+        const TrianglePoint onCap =
+          onSource.closest(quadPoints.row(nodes[static_cast<std::size_t>(k)]), last);
+        last = onCap.triangle;
+        distances[k] = onCap.distance;
+        inDisk.row(k) = wrapDomainPoint(source.domain,
+          onCap.coordinates *
+            domainCorners(source.domain, source.disk, source.mesh.triangles.row(onCap.triangle)));
+      }
+    });
+  for (Index k = 0; k < distances.size(); ++k)
+  {
+    result.maximumSourceDistance = std::max(result.maximumSourceDistance, distances[k]);
+  }
 
   const LocatedPoints places = inTarget.locate(inDisk, progressPart(progress, SourceShare, 1.0));
   for (std::size_t k = 0; k < nodes.size(); ++k)

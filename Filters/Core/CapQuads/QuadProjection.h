@@ -6,6 +6,7 @@
 #ifndef hexsweep_QuadProjection_h
 #define hexsweep_QuadProjection_h
 
+#include "Core/Common/ParallelFor.h"
 #include "Core/DiskMaps/CapDisk.h"
 
 namespace hexsweep
@@ -39,10 +40,11 @@ struct FixedNode
  * @param used       n entries: points that a quad uses; the others keep their place.
  * @param boundary   all boundary nodes of the quads; they come out exactly where it says.
  * @param source, target both in the same domain with the same boundary (see commonDiskMap()).
+ * @param parallelFor lends threads; the bits do not depend on them.
  */
 ProjectedQuads projectThroughDisks(const PointsRef& quadPoints, const std::vector<bool>& used,
   const std::vector<FixedNode>& boundary, const CapDisk& source, const CapDisk& target,
-  const Progress& progress = {});
+  const Progress& progress = {}, const ParallelFor& parallelFor = {});
 
 /**
  * The traditional projection: the affine map that fits the loops best (after X. Roca, J. Sarrate,

@@ -15,9 +15,10 @@ constexpr int MaximumSplitPasses = 60; // each halves what is longest
 }
 
 RemeshedSurface remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
-  double size, double growth, const Progress& progress, const LengthLimit& longest)
+  double size, double growth, const Progress& progress, const ParallelFor& parallelFor,
+  const LengthLimit& longest)
 {
-  TriangleRemesher mesh(input, surface, size, growth, longest);
+  TriangleRemesher mesh(input, surface, size, growth, parallelFor, longest);
   mesh.flip();
   for (int round = 0; round < Rounds; ++round)
   {

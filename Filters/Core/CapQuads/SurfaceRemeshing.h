@@ -19,10 +19,13 @@ namespace hexsweep
  * @param size    wanted edge length away from the curves, > 0.
  * @param growth  of the wanted length with the distance from shorter edges on curves, > 0.
  * @param longest of the wanted length at a place; empty: `size`.
+ * @param parallelFor lends threads for what is done to many vertices at once; the bits do not
+ * depend on them.
  * @throw Aborted.
  */
 RemeshedSurface remeshSurface(const RemeshingInput& input, const SurfaceSearch& surface,
-  double size, double growth, const Progress& progress = {}, const LengthLimit& longest = {});
+  double size, double growth, const Progress& progress = {}, const ParallelFor& parallelFor = {},
+  const LengthLimit& longest = {});
 }
 
 #endif

@@ -13,6 +13,7 @@
 #include "Core/Surfaces/UsedPoints.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -224,7 +225,7 @@ bool isThinAffineSweep(
 void improve(SweepProjection& result, const SweepProjectionInput& input, const Boundary& boundary,
   const Loop& outer, const TriangleMesh& target, const Progress& progress)
 {
-  const SurfaceSearch surface(target);
+  const auto search = std::make_shared<const SurfaceSearch>(target);
   // Points that no quad uses are nobody's to move; they count as fixed.
   std::vector<bool> fixed = usedPoints(input.source.quads, input.source.points.rows());
   fixed.flip();
@@ -242,7 +243,7 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
     {
       result.quads.points = result.quads.points.cast<float>().cast<double>().eval();
     }
-    const Points normals = surface.project(result.quads.points).normals;
+    const Points normals = search->normals(result.quads.points, input.parallelFor);
     result.quality = quadQuality(result.quads.points, input.source.quads, normals);
     result.fixedCorners = fixedQuadCorners(result.quads.points, input.source.quads, normals, fixed);
   };
@@ -270,8 +271,8 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   }
   if (input.ensureValid)
   {
-    const CapCorners corners(
-      input.source.quads, still, target, boundary.columns, result.quads.points);
+    const CapCorners corners(input.source.quads, still, search, boundary.columns,
+      result.quads.points, LeaningColumns::PassedOver, input.parallelFor);
     ImprovedQuads untangled = untangleQuads(
       corners, result.quads.points, input.source.points, progressPart(progress, 0.0, 0.5));
     result.quads.points = std::move(untangled.points);
@@ -279,10 +280,10 @@ void improve(SweepProjection& result, const SweepProjectionInput& input, const B
   }
   if (input.improveQuality)
   {
-    const CapCorners corners(input.source.quads, still, target, boundary.columns,
-      result.quads.points, LeaningColumns::WhereUpright);
+    const CapCorners corners(input.source.quads, still, search, boundary.columns,
+      result.quads.points, LeaningColumns::WhereUpright, input.parallelFor);
     ImprovedQuads polished = polishQuads(
-      corners, result.quads.points, input.source.points, {}, progressPart(progress, 0.5, 1.0));
+      corners, result.quads.points, input.source.points, progressPart(progress, 0.5, 1.0));
     result.quads.points = std::move(polished.points);
     result.rounds += polished.rounds;
   }
@@ -347,7 +348,7 @@ SweepProjection projectDirectly(const Projection& given, const Progress& progres
         input, given.loops, given.target, given.boundary, progressPart(progress, 0.0, 0.6), result);
     }
     result.quads = projectThroughDisks(input.source.points, given.used(), placed, *result.source,
-      *result.target, progressPart(progress, 0.6, 0.7));
+      *result.target, progressPart(progress, 0.6, 0.7), input.parallelFor);
   }
   // The triangulation of the map, also where it was made here: given maps must give the same bits.
   improve(result, input, given.boundary, given.outer(),
@@ -398,7 +399,7 @@ std::optional<SweepProjection> projectAlongSides(
     }
     result.quads = projectThroughDisks(section.source.points, given.used(),
       placedNodes(given.input, given.boundary), *result.source, *result.target,
-      progressPart(progress, 0.7, 0.75));
+      progressPart(progress, 0.7, 0.75), given.input.parallelFor);
   }
   catch (const SolverFailure&)
   {

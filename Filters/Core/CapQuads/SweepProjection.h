@@ -46,6 +46,7 @@ struct SweepProjectionInput
   bool singlePrecision = false; ///< round the points to float before they are judged
   bool ensureValid = false;     ///< untangle what is inverted, see untangleQuads()
   bool improveQuality = false;  ///< see polishQuads()
+  ParallelFor parallelFor = {}; ///< lends threads; the bits do not depend on them
 };
 
 struct SweepProjection

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/TriangleRemesher.h"
 
-#include "Core/Common/Constants.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -21,13 +19,15 @@ constexpr double GoodShape = 0.05; // an equilateral triangle has 0.43
 constexpr double VeryShort = 0.01;
 constexpr double FlatShape = -0.01;
 constexpr double FlipMargin = 1e-9;
+constexpr Index VerticesAtOnce = 512;
 }
 
 TriangleRemesher::TriangleRemesher(const RemeshingInput& input, const SurfaceSearch& surface,
-  double size, double growth, LengthLimit longest)
+  double size, double growth, const ParallelFor& parallelFor, LengthLimit longest)
   : Surface(surface)
   , Size(size)
   , Growth(growth)
+  , Threads(parallelFor)
   , Longest(std::move(longest))
   , Mesh(input, surface, size)
 {
@@ -42,7 +42,10 @@ void TriangleRemesher::updateSizes()
     RemeshingMesh::VertexData& data = this->Mesh.data(v);
     data.wanted =
       this->Longest ? std::min(data.spacing, this->Longest(this->Mesh.position(v))) : data.spacing;
-    open.emplace(data.wanted, v.idx());
+    if (data.wanted < this->Size) // others do not shorten what is next to them
+    {
+      open.emplace(data.wanted, v.idx());
+    }
   }
   while (!open.empty())
   {
@@ -243,13 +246,28 @@ void TriangleRemesher::putOnSurface(const std::vector<Vertex>& vertices)
   {
     points.row(static_cast<Index>(i)) = this->Mesh.position(vertices[i]);
   }
-  const SurfacePlaces places = this->Surface.project(points);
+  const SurfacePlaces places = this->Surface.project(points, this->Threads);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     const Eigen::RowVector3d p = places.points.row(static_cast<Index>(i));
     this->Mesh.halfEdges().set_point(vertices[i], { p[0], p[1], p[2] });
     this->Mesh.data(vertices[i]).normal = places.normals.row(static_cast<Index>(i));
   }
+}
+
+/// Whether the angles at c and d, across the edge from a to b, are more than pi together.
+bool TriangleRemesher::isBeyondHalfTurn(Vertex a, Vertex b, Vertex c, Vertex d) const
+{
+  constexpr double Slack = 1e-6;
+  // Sine and cosine of the angle at an apex, times the lengths of its sides.
+  const auto angle = [&](Vertex apex) {
+    const Eigen::RowVector3d u = this->Mesh.position(a) - this->Mesh.position(apex);
+    const Eigen::RowVector3d w = this->Mesh.position(b) - this->Mesh.position(apex);
+    return Eigen::Vector2d(u.cross(w).norm(), u.dot(w));
+  };
+  const Eigen::Vector2d first = angle(c);
+  const Eigen::Vector2d second = angle(d);
+  return first[0] * second[1] + first[1] * second[0] < -Slack * first.norm() * second.norm();
 }
 
 bool TriangleRemesher::wantsFlip(Edge e) const
@@ -266,17 +284,13 @@ bool TriangleRemesher::wantsFlip(Edge e) const
   const Vertex c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
   const Vertex d = mesh.to_vertex_handle(mesh.next_halfedge_handle(g));
   const double before = std::min(this->Mesh.shape(a, b, c), this->Mesh.shape(b, a, d));
-  const double after = std::min(this->Mesh.shape(c, a, d), this->Mesh.shape(d, b, c));
-  if (before < GoodShape)
+  const bool flat = before < GoodShape;
+  if (!flat && !this->isBeyondHalfTurn(a, b, c, d))
   {
-    return after > before + FlipMargin;
+    return false;
   }
-  const auto angle = [&](Vertex apex) {
-    const Eigen::RowVector3d u = this->Mesh.position(a) - this->Mesh.position(apex);
-    const Eigen::RowVector3d w = this->Mesh.position(b) - this->Mesh.position(apex);
-    return std::atan2(u.cross(w).norm(), u.dot(w));
-  };
-  return angle(c) + angle(d) > Pi + 1e-6 && after > GoodShape;
+  const double after = std::min(this->Mesh.shape(c, a, d), this->Mesh.shape(d, b, c));
+  return after > (flat ? before + FlipMargin : GoodShape);
 }
 
 Index TriangleRemesher::flip()
@@ -321,64 +335,77 @@ Index TriangleRemesher::flip()
   return count;
 }
 
+/// The centroid of what surrounds a vertex, in its tangent plane; where it is where nothing does.
+Eigen::RowVector3d TriangleRemesher::wishOf(OpenMesh::SmartVertexHandle v) const
+{
+  const Eigen::RowVector3d here = this->Mesh.position(v);
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  double weights = 0.0;
+  for (const auto h : v.outgoing_halfedges())
+  {
+    const Vertex b = h.to();
+    const Vertex c = h.next().to();
+    const Eigen::RowVector3d p = this->Mesh.position(b);
+    const Eigen::RowVector3d q = this->Mesh.position(c);
+    const double size =
+      this->Mesh.data(v).wanted + this->Mesh.data(b).wanted + this->Mesh.data(c).wanted;
+    const double weight = (p - here).cross(q - here).norm() / (size * size);
+    sum += weight * (here + p + q) / 3.0;
+    weights += weight;
+  }
+  if (!(weights > 0.0))
+  {
+    return here;
+  }
+  const Eigen::RowVector3d move = sum / weights - here;
+  const Eigen::RowVector3d normal = this->Mesh.data(v).normal;
+  return here + move - move.dot(normal) * normal;
+}
+
+/// Of the triangles at a vertex, with it at a place of the surface.
+double TriangleRemesher::leastShapeAt(
+  Vertex v, const Eigen::RowVector3d& place, const Eigen::RowVector3d& normal) const
+{
+  const HalfEdges& mesh = this->Mesh.halfEdges();
+  double least = std::numeric_limits<double>::infinity();
+  for (auto h = mesh.cvoh_iter(v); h.is_valid(); ++h)
+  {
+    const Vertex b = mesh.to_vertex_handle(*h);
+    const Vertex c = mesh.to_vertex_handle(mesh.next_halfedge_handle(*h));
+    least = std::min(least,
+      triangleShape(place, this->Mesh.position(b), this->Mesh.position(c),
+        normal + this->Mesh.data(b).normal + this->Mesh.data(c).normal));
+  }
+  return least;
+}
+
 void TriangleRemesher::relax()
 {
   const HalfEdges& mesh = this->Mesh.halfEdges();
-  std::vector<Vertex> free;
-  std::vector<Eigen::RowVector3d> wishes;
+  std::vector<OpenMesh::SmartVertexHandle> free;
   for (const auto v : mesh.vertices())
   {
-    if (this->Mesh.data(v).onCurve || this->Mesh.data(v).stays)
+    if (!this->Mesh.data(v).onCurve && !this->Mesh.data(v).stays)
     {
-      continue;
-    }
-    const Eigen::RowVector3d here = this->Mesh.position(v);
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    double weights = 0.0;
-    for (const auto h : v.outgoing_halfedges())
-    {
-      const Vertex b = h.to();
-      const Vertex c = h.next().to();
-      const Eigen::RowVector3d p = this->Mesh.position(b);
-      const Eigen::RowVector3d q = this->Mesh.position(c);
-      const double size =
-        this->Mesh.data(v).wanted + this->Mesh.data(b).wanted + this->Mesh.data(c).wanted;
-      const double weight = (p - here).cross(q - here).norm() / (size * size);
-      sum += weight * (here + p + q) / 3.0;
-      weights += weight;
-    }
-    if (weights > 0.0)
-    {
-      Eigen::RowVector3d move = sum / weights - here;
-      const Eigen::RowVector3d normal = this->Mesh.data(v).normal;
-      move -= move.dot(normal) * normal;
       free.push_back(v);
-      wishes.push_back(here + move);
     }
   }
   Points points(static_cast<Index>(free.size()), 3);
-  for (std::size_t i = 0; i < free.size(); ++i)
-  {
-    points.row(static_cast<Index>(i)) = wishes[i];
-  }
-  const SurfacePlaces places = this->Surface.project(points);
+  forPieces(this->Threads, points.rows(), VerticesAtOnce, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i)
+    {
+      points.row(i) = this->wishOf(free[static_cast<std::size_t>(i)]);
+    }
+  });
+  const SurfacePlaces places = this->Surface.project(points, this->Threads);
   for (std::size_t i = 0; i < free.size(); ++i)
   {
     const Vertex v = free[i];
     const Eigen::RowVector3d p = places.points.row(static_cast<Index>(i));
     const Eigen::RowVector3d normal = places.normals.row(static_cast<Index>(i));
-    double before = std::numeric_limits<double>::infinity();
-    double after = before;
-    for (auto h = mesh.cvoh_iter(v); h.is_valid(); ++h)
-    {
-      const Vertex b = mesh.to_vertex_handle(*h);
-      const Vertex c = mesh.to_vertex_handle(mesh.next_halfedge_handle(*h));
-      before = std::min(before, this->Mesh.shape(v, b, c));
-      after = std::min(after,
-        triangleShape(p, this->Mesh.position(b), this->Mesh.position(c),
-          normal + this->Mesh.data(b).normal + this->Mesh.data(c).normal));
-    }
-    if (after > 2.0 * GoodShape || after > before)
+    const double after = this->leastShapeAt(v, p, normal);
+    if (after > 2.0 * GoodShape ||
+      after > this->leastShapeAt(v, this->Mesh.position(v), this->Mesh.data(v).normal))
     {
       this->Mesh.halfEdges().set_point(v, { p[0], p[1], p[2] });
       this->Mesh.data(v).normal = normal;

@@ -19,10 +19,11 @@ public:
    * @param surface new and moved vertices are put on it; must outlive the remesher.
    * @param size    wanted edge length away from the curves.
    * @param growth  of the wanted length with the distance from shorter edges on curves.
+   * @param parallelFor lends threads for what is done to many vertices at once.
    * @param longest of the wanted length at a place; empty: `size`.
    */
   TriangleRemesher(const RemeshingInput& input, const SurfaceSearch& surface, double size,
-    double growth, LengthLimit longest = {});
+    double growth, const ParallelFor& parallelFor = {}, LengthLimit longest = {});
 
   /// Sets the wanted length at each vertex from the edges on the curves.
   void updateSizes();
@@ -48,13 +49,18 @@ private:
   using Edge = RemeshingMesh::Edge;
 
   bool wantsFlip(Edge e) const;
+  bool isBeyondHalfTurn(Vertex a, Vertex b, Vertex c, Vertex d) const;
   bool canCollapse(HalfEdge h, bool longEdgesToo);
   bool shortenCurve(Vertex v);
   void putOnSurface(const std::vector<Vertex>& vertices);
+  Eigen::RowVector3d wishOf(OpenMesh::SmartVertexHandle v) const;
+  double leastShapeAt(
+    Vertex v, const Eigen::RowVector3d& place, const Eigen::RowVector3d& normal) const;
 
   const SurfaceSearch& Surface;
   double Size;
   double Growth;
+  ParallelFor Threads;
   LengthLimit Longest;
   RemeshingMesh Mesh;
 };

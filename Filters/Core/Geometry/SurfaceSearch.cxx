@@ -10,6 +10,8 @@ namespace hexsweep
 {
 namespace
 {
+constexpr Index PointsAtOnce = 1024;
+
 /// Vertex normals weighted by the angles of the triangles at them.
 Points vertexNormals(const TriangleMesh& surface)
 {
@@ -85,26 +87,28 @@ SurfaceSearch::SurfaceSearch(const TriangleMesh& surface)
 {
 }
 
-Points SurfaceSearch::normals(const PointsRef& points) const
+Points SurfaceSearch::normals(const PointsRef& points, const ParallelFor& parallelFor) const
 {
   if (this->PlaneNormal)
   {
     return this->PlaneNormal->replicate(points.rows(), 1);
   }
-  return this->project(points).normals;
+  return this->project(points, parallelFor).normals;
 }
 
-SurfacePlaces SurfaceSearch::project(const PointsRef& points) const
+SurfacePlaces SurfaceSearch::project(const PointsRef& points, const ParallelFor& parallelFor) const
 {
   SurfacePlaces places{ Points(points.rows(), 3), Points(points.rows(), 3) };
-  Index last = -1;
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    const SurfacePlace place = this->project(points.row(i), last);
-    last = place.triangle;
-    places.points.row(i) = place.point;
-    places.normals.row(i) = place.normal;
-  }
+  forPieces(parallelFor, points.rows(), PointsAtOnce, [&](Index begin, Index end) {
+    Index last = -1; // what is near is found faster, and is the same
+    for (Index i = begin; i < end; ++i)
+    {
+      const SurfacePlace place = this->project(points.row(i), last);
+      last = place.triangle;
+      places.points.row(i) = place.point;
+      places.normals.row(i) = place.normal;
+    }
+  });
   return places;
 }
 

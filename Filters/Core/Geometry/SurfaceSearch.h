@@ -6,6 +6,7 @@
 #ifndef hexsweep_SurfaceSearch_h
 #define hexsweep_SurfaceSearch_h
 
+#include "Core/Common/ParallelFor.h"
 #include "Core/Geometry/TriangleSearch.h"
 
 #include <optional>
@@ -31,10 +32,11 @@ class SurfaceSearch
 {
 public:
   explicit SurfaceSearch(const TriangleMesh& surface);
-  SurfacePlaces project(const PointsRef& points) const;
+  /// The same bits with any number of threads.
+  SurfacePlaces project(const PointsRef& points, const ParallelFor& parallelFor = {}) const;
 
   /// The normals alone: where the surface is a plane, to rounding, no point is searched for.
-  Points normals(const PointsRef& points) const;
+  Points normals(const PointsRef& points, const ParallelFor& parallelFor = {}) const;
 
   /// @param start a triangle near the point if one is known, or -1.
   SurfacePlace project(const Eigen::RowVector3d& point, Index start) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/GeometrySnap.h"
 
+#include "Core/Common/StandardIndex.h"
 #include "Core/Common/StoppablePieces.h"
 #include "Core/Geometry/TriangleSearch.h"
 
@@ -26,13 +27,8 @@ constexpr double AtEnd = 0.02;
 /// The same: a node that would have to go further belongs somewhere else.
 constexpr double Farthest = 0.5;
 /// Of the length of a column: one that bends by less is straight.
-constexpr double Straight = 1e-9;
+constexpr double StraightColumn = 1e-9;
 constexpr Index NodesAPiece = 256;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// A boundary quad as the snap needs it.
 struct FacedQuad
@@ -314,7 +310,7 @@ bool hasStraightColumns(const SweepBoundary& boundary)
   for (std::size_t k = 1; k + 1 < boundary.rings.size(); ++k)
   {
     const Points off = boundary.rings[k] - (first + boundary.fractions[k] * way);
-    if (off.rowwise().norm().maxCoeff() > Straight * boundary.meanColumnLength)
+    if (off.rowwise().norm().maxCoeff() > StraightColumn * boundary.meanColumnLength)
     {
       return false;
     }

@@ -13,6 +13,7 @@
 #include "Core/Solids/SolidSides.h"
 #include "Core/Surfaces/SurfacePart.h"
 #include "Core/Surfaces/SurfaceTopology.h"
+#include "Core/Surfaces/UsedPoints.h"
 
 #include <algorithm>
 #include <array>
@@ -56,29 +57,27 @@ void snapTarget(Points& target, const RingStack& rings)
   }
 }
 
-double distanceFromCap(const QuadMesh& quads, const TriangleMesh& cap)
+double distanceFromCap(
+  const QuadMesh& quads, const TriangleMesh& cap, const ParallelFor& parallelFor)
 {
+  constexpr Index PointsAtOnce = 1024;
   const TriangleSearch search(cap.points, cap.triangles);
-  std::vector<bool> seen(at(quads.points.rows()), false);
-  double greatest = 0.0;
-  Index place = -1;
-  Index near = -1;
-  for (Index i = 0; i < quads.quads.size(); ++i)
-  {
-    const Index point = quads.quads.data()[i];
-    if (seen[at(point)])
+  const std::vector<bool> used = usedPoints(quads.quads, quads.points.rows());
+  Eigen::VectorXd distances = Eigen::VectorXd::Zero(quads.points.rows());
+  forPieces(parallelFor, distances.size(), PointsAtOnce, [&](Index begin, Index end) {
+    Index near = -1;
+    for (Index point = begin; point < end; ++point)
     {
-      continue;
+      if (used[at(point)])
+      {
+        const TrianglePoint found = search.closest(quads.points.row(point), near);
+        near = found.triangle;
+        distances[point] = found.distance;
+      }
     }
-    seen[at(point)] = true;
-    const TrianglePoint found = search.closest(quads.points.row(point), near);
-    near = found.triangle;
-    if (found.distance > greatest)
-    {
-      greatest = found.distance;
-      place = point;
-    }
-  }
+  });
+  Index place = 0;
+  const double greatest = distances.maxCoeff(&place);
   const double diameter =
     (cap.points.colwise().maxCoeff() - cap.points.colwise().minCoeff()).norm();
   if (greatest > FarFromCap * diameter)
@@ -194,8 +193,8 @@ bool sweepToImage(const SolidCageInput& input, const AffineSweep& image, const T
       boundary.push_back({ cage.loops[l][j], last.row(static_cast<Index>(j)) });
     }
   }
-  cage.projection =
-    projectToImage(input.source, image.map, boundary, borders, target, input.singlePrecision);
+  cage.projection = projectToImage(
+    input.source, image.map, boundary, borders, target, input.singlePrecision, input.parallelFor);
   stages.finish("Target quads");
   return cage.projection.quality.inverted == 0;
 }
@@ -277,6 +276,7 @@ void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
   projection.method = input.method;
   projection.weights = input.weights;
   projection.improvement = input.improvement;
+  projection.parallelFor = input.parallelFor;
   projection.borders = pinColumns(input.imprinted, cage.linking.rings);
   projection.linking = cage.linking.rings;
   cage.projection = projection.borders.empty()
@@ -305,7 +305,7 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   checkCapCrossings(input.solid, input.topology.targetTriangles, "target cap");
   const SurfacePart source = partOf(input.solid, input.topology.sourceTriangles);
   const SurfacePart target = partOf(input.solid, input.topology.targetTriangles);
-  cage.greatestDistance = distanceFromCap(input.source, source.mesh);
+  cage.greatestDistance = distanceFromCap(input.source, source.mesh, input.parallelFor);
   stages.finish("Check");
 
   const std::optional<AffineSweep> image = affineSweepOf(input);

@@ -413,7 +413,7 @@ std::optional<SweepProjection> firstProjection(
 
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
   const SweepTopology& topology, double size, const Progress& progress, bool withBorders,
-  double chordTolerance)
+  const ParallelFor& parallelFor, double chordTolerance)
 {
   if (!(size >= 0.0) || !std::isfinite(size))
   {
@@ -422,6 +422,7 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
   }
   CapToMesh cap = capToMesh(input, solid, topology, size);
   cap.options.chordTolerance = chordTolerance;
+  cap.options.parallelFor = parallelFor;
   const auto plainQuads = [&](const Progress& part) {
     return sourceQuadsOf(
       meshCapWithQuads(cap.cap, cap.faceIds, cap.options, part), cap.options.size);

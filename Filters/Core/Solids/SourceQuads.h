@@ -48,7 +48,7 @@ struct SourceQuads
  */
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
   const SweepTopology& topology, double size, const Progress& progress = {},
-  bool withBorders = true, double chordTolerance = 0.0);
+  bool withBorders = true, const ParallelFor& parallelFor = {}, double chordTolerance = 0.0);
 
 /// Where the borders between the faces of linking sides begin: points of the solid on the loops of
 /// the source cap.

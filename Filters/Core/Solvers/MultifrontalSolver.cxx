@@ -16,13 +16,86 @@ namespace hexsweep
 namespace
 {
 using Matrix = Eigen::MatrixXd;
+
+/// Parts of the elimination tree that know nothing of each other.
+constexpr double Branches = 16.0;
+/// Below it threads cost more than they bring; multiplications and additions.
+constexpr double LittleWork = 4e6;
+
+/// An elimination tree in parts: fronts first ... last of each branch, and those above them all.
+struct BranchedTree
+{
+  std::vector<std::pair<std::size_t, std::size_t>> branches;
+  std::vector<std::size_t> top; ///< rising
+};
+
+/**
+ * Branches of no more than an even share of the work.
+ *
+ * @param parents of fronts whose descendants stand right before them.
+ */
+BranchedTree branchesOf(const std::vector<Index>& parents, const std::vector<double>& ownWork)
+{
+  std::vector<double> work = ownWork; // with that of the descendants
+  std::vector<std::size_t> first(parents.size());
+  std::iota(first.begin(), first.end(), std::size_t{ 0 });
+  double whole = 0.0;
+  for (std::size_t f = 0; f < parents.size(); ++f)
+  {
+    whole += ownWork[f];
+    if (parents[f] >= 0)
+    {
+      work[at(parents[f])] += work[f];
+      first[at(parents[f])] = std::min(first[at(parents[f])], first[f]);
+    }
+  }
+  BranchedTree tree;
+  if (whole < LittleWork)
+  {
+    tree.branches.emplace_back(0, parents.size() - 1);
+    return tree;
+  }
+  const double share = whole / Branches;
+  double workOfLast = 0.0;
+  for (std::size_t f = parents.size(); f-- > 0;)
+  {
+    if (work[f] > share)
+    {
+      tree.top.push_back(f);
+      continue;
+    }
+    // Small ones side by side, as separate parts of a mesh are, are one.
+    const bool isNext = !tree.branches.empty() && tree.branches.back().first == f + 1 &&
+      workOfLast + work[f] <= share;
+    workOfLast = isNext ? workOfLast + work[f] : work[f];
+    if (isNext)
+    {
+      tree.branches.back().first = first[f];
+    }
+    else
+    {
+      tree.branches.emplace_back(first[f], f);
+    }
+    f = first[f];
+  }
+  std::reverse(tree.top.begin(), tree.top.end());
+  return tree;
+}
 }
 
+/// What factorize() knows of the fronts.
+struct MultifrontalSolver::Work
+{
+  const SparseMatrix& matrix;
+  std::vector<Update> updates; ///< of the fronts' borders, until the parents have taken them
+  std::vector<std::vector<std::size_t>> children;
+};
+
 MultifrontalSolver::MultifrontalSolver(
-  const SparseMatrix& pattern, Kind kind, const PointsRef& places)
+  const SparseMatrix& pattern, Kind kind, const PointsRef& places, int width)
   : Factorization(kind)
 {
-  Dissection dissection = dissect(pattern, places);
+  Dissection dissection = dissectBlocks(pattern, width, places);
   this->Order = std::move(dissection.order);
   const Index n = pattern.rows();
   this->Place.resize(at(n));
@@ -186,39 +259,68 @@ bool MultifrontalSolver::eliminate(const Front& front, Update& update)
   return true;
 }
 
-void MultifrontalSolver::factorize(const SparseMatrix& matrix)
+/// @param local scratch: one entry a row of the matrix.
+void MultifrontalSolver::factorizeFront(std::size_t f, std::vector<Index>& local, Work& work)
 {
+  const Front& front = this->Fronts[f];
+  for (Index k = 0; k < front.pivots; ++k)
+  {
+    local[at(front.begin + k)] = k;
+  }
+  for (Index k = 0; k < front.borderSize; ++k)
+  {
+    local[at(this->Borders[at(front.border + k)])] = front.pivots + k;
+  }
+  this->assemble(front, work.matrix, local);
+  Update& update = work.updates[f];
+  update.setZero(front.borderSize, front.borderSize);
+  for (const std::size_t c : work.children[f])
+  {
+    this->extendAdd(front, update, this->Fronts[c], work.updates[c], local);
+    work.updates[c].resize(0, 0);
+  }
+  if (!this->eliminate(front, update))
+  {
+    throw SolverFailure("the harmonic map's linear system is singular: part of the surface has "
+                        "no boundary, or triangles are degenerate.");
+  }
+}
+
+void MultifrontalSolver::factorize(const SparseMatrix& matrix, const ParallelFor& parallelFor)
+{
+  const std::size_t count = this->Fronts.size();
+  if (count == 0)
+  {
+    return;
+  }
   this->Values.resize(at(this->ValuesNeeded));
-  std::vector<Update> updates(this->Fronts.size());
-  std::vector<std::vector<std::size_t>> children(this->Fronts.size());
-  std::vector<Index> local(this->Order.size());
-  for (std::size_t f = 0; f < this->Fronts.size(); ++f)
+  Work work{ matrix, std::vector<Update>(count), std::vector<std::vector<std::size_t>>(count) };
+  std::vector<Index> parents;
+  std::vector<double> costs;
+  for (std::size_t f = 0; f < count; ++f)
   {
     const Front& front = this->Fronts[f];
-    for (Index k = 0; k < front.pivots; ++k)
-    {
-      local[at(front.begin + k)] = k;
-    }
-    for (Index k = 0; k < front.borderSize; ++k)
-    {
-      local[at(this->Borders[at(front.border + k)])] = front.pivots + k;
-    }
-    this->assemble(front, matrix, local);
-    updates[f].setZero(front.borderSize, front.borderSize);
-    for (const std::size_t c : children[f])
-    {
-      this->extendAdd(front, updates[f], this->Fronts[c], updates[c], local);
-      updates[c].resize(0, 0);
-    }
-    if (!this->eliminate(front, updates[f]))
-    {
-      throw SolverFailure("the harmonic map's linear system is singular: part of the surface has "
-                          "no boundary, or triangles are degenerate.");
-    }
+    const auto size = static_cast<double>(front.pivots + front.borderSize);
+    parents.push_back(front.parent);
+    costs.push_back(static_cast<double>(front.pivots) * size * size);
     if (front.parent >= 0)
     {
-      children[at(front.parent)].push_back(f);
+      work.children[at(front.parent)].push_back(f);
     }
+  }
+  const BranchedTree tree = branchesOf(parents, costs);
+  forPieces(parallelFor, static_cast<Index>(tree.branches.size()), 1, [&](Index branch, Index) {
+    std::vector<Index> local(this->Order.size());
+    for (std::size_t f = tree.branches[at(branch)].first; f <= tree.branches[at(branch)].second;
+         ++f)
+    {
+      this->factorizeFront(f, local, work);
+    }
+  });
+  std::vector<Index> local(this->Order.size());
+  for (const std::size_t f : tree.top)
+  {
+    this->factorizeFront(f, local, work);
   }
 }
 

@@ -6,6 +6,7 @@
 #ifndef hexsweep_MultifrontalSolver_h
 #define hexsweep_MultifrontalSolver_h
 
+#include "Core/Common/ParallelFor.h"
 #include "Core/Solvers/NestedDissection.h"
 #include "Core/Solvers/PanelSubstitution.h"
 
@@ -35,17 +36,20 @@ public:
    * Orders the pattern; no value is read.
    *
    * @param pattern n x n, compressed; entry (i, j) exists where (j, i) does.
-   * @param places  n x 3: where each row lies in space, for a better order; or no rows at all.
+   * @param places  where each block of rows lies in space, for a better order; or no rows at all.
+   * @param width   rows a block: consecutive ones with the same pattern. Divides n.
    */
   MultifrontalSolver(
-    const SparseMatrix& pattern, Kind kind, const PointsRef& places = Points(0, 3));
+    const SparseMatrix& pattern, Kind kind, const PointsRef& places = Points(0, 3), int width = 1);
 
   /**
    * @param matrix with the pattern that the solver was made for, or a part of it. For Cholesky the
    *               lower triangle in the elimination order is read, so it must be symmetric.
+   * @param parallelFor lends threads for the branches of the elimination tree; the bits do not
+   *               depend on them.
    * @throw SolverFailure when the matrix is singular or, for Cholesky, not positive definite.
    */
-  void factorize(const SparseMatrix& matrix);
+  void factorize(const SparseMatrix& matrix, const ParallelFor& parallelFor = {});
 
   /// @param b n x k. @return n x k.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
@@ -83,6 +87,8 @@ private:
   };
   using Update = Eigen::MatrixXd;
 
+  struct Work;
+  void factorizeFront(std::size_t f, std::vector<Index>& local, Work& work);
   void assemble(const Front& front, const SparseMatrix& matrix, const std::vector<Index>& local);
   void extendAdd(const Front& front, Update& update, const Front& child, const Update& childUpdate,
     const std::vector<Index>& local);

@@ -249,4 +249,42 @@ Dissection dissect(const SparseMatrix& matrix, const PointsRef& places)
   }
   return Dissector(matrix, coordinates, parts).result();
 }
+
+Dissection dissectBlocks(const SparseMatrix& matrix, int width, const PointsRef& places)
+{
+  if (width == 1)
+  {
+    return dissect(matrix, places);
+  }
+  const Index blocks = matrix.rows() / width;
+  SparseMatrix quotient(blocks, blocks);
+  quotient.reserve(matrix.nonZeros() / (Index{ width } * width));
+  for (Index b = 0; b < blocks; ++b)
+  {
+    quotient.startVec(b);
+    for (SparseMatrix::InnerIterator it(matrix, b * width); it; ++it)
+    {
+      if (it.row() % width == 0)
+      {
+        quotient.insertBack(it.row() / width, b) = 1.0;
+      }
+    }
+  }
+  quotient.finalize();
+  const Dissection ofBlocks = dissect(quotient, places);
+  Dissection result;
+  result.order.reserve(static_cast<std::size_t>(matrix.rows()));
+  for (const int block : ofBlocks.order)
+  {
+    for (int i = 0; i < width; ++i)
+    {
+      result.order.push_back(width * block + i);
+    }
+  }
+  for (const Dissection::Part& part : ofBlocks.parts)
+  {
+    result.parts.push_back({ width * part.begin, width * part.end, part.parent });
+  }
+  return result;
+}
 }

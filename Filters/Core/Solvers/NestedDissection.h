@@ -39,6 +39,15 @@ struct Dissection
  * @param places n x 3: where each row lies, or no rows at all.
  */
 Dissection dissect(const SparseMatrix& matrix, const PointsRef& places = Points(0, 3));
+
+/**
+ * The same where consecutive rows have one pattern, as those of the unknowns of a node: one of each
+ * `width` rows is looked at, and they stay together.
+ *
+ * @param places one row a block of rows, or no rows at all.
+ */
+Dissection dissectBlocks(
+  const SparseMatrix& matrix, int width, const PointsRef& places = Points(0, 3));
 }
 
 #endif

@@ -4,19 +4,24 @@
 A writer may end with success over a file that a full disk has cut short or left holes in.
 """
 
-import mmap
 import operator
+import os
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkFloatArray, vtkIdTypeArray
+
+_PIECE = 1 << 20
 
 
 def xml_damage(path):
     """The writer of .vtu files goes through the file from front to end, in text.
     @return what is wrong, in words that follow "the file"; nothing where it is whole."""
-    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        if not content[-64:].rstrip().endswith(b"</VTKFile>"):
+    with open(path, "rb") as file:
+        file.seek(-min(64, os.path.getsize(path)), os.SEEK_END)
+        if not file.read().rstrip().endswith(b"</VTKFile>"):
             return "has no end"
-        return "has holes" if content.find(b"\0") >= 0 else ""
+        file.seek(0)
+        pieces = iter(lambda: file.read(_PIECE), b"")
+        return "has holes" if any(b"\0" in piece for piece in pieces) else ""
 
 
 def text_damage(path):

@@ -142,10 +142,10 @@ def _legacy_writer(sweep):
 
 
 def _xml_writer(sweep):
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+    from .. import vtkHexGridWriter
 
     grid = sweep.GetOutputDataObject(0)
-    writer = vtkXMLUnstructuredGridWriter()
+    writer = vtkHexGridWriter()
     writer.SetInputConnection(sweep.GetOutputPort(0))
     # Of what every reader of Debian 12 and 13 accepts, the fastest: see Documentation/Results.md.
     writer.SetDataModeToBinary()

@@ -6,6 +6,7 @@
 #include "Core/CapQuads/CornerTerms.h"
 
 #include "Support/CapMeshes.h"
+#include "Support/LentThreads.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -43,9 +44,10 @@ struct FlatCap
     this->surface.points = motion(this->surface.points);
   }
 
-  CapCorners corners() const
+  CapCorners corners(const hexsweep::ParallelFor& parallelFor = {}) const
   {
-    return { this->mesh.quads, this->fixed, this->surface, {}, this->mesh.points };
+    return { this->mesh.quads, this->fixed, this->surface, {}, this->mesh.points,
+      hexsweep::LeaningColumns::PassedOver, parallelFor };
   }
 
   /// Along axis 0 or 1 of the plane.
@@ -383,6 +385,42 @@ TEST(CapDescent, NeverRaisesTheSum)
     expectFixedStay(cap, points);
   }
   EXPECT_GT(inverted, 6);
+}
+
+// Few nodes: conjugate gradients arrive where the factorisation leads.
+TEST(CapDescent, RoughStepsArriveWithTime)
+{
+  const FlatCap cap(8, { { 2, 3, 2, 1 } }, 0.3, 4);
+  const CapCorners corners = cap.corners();
+  const CapDescent::Result exact =
+    CapDescent(corners).descend(cap.mesh.points, everywhere(distorted), 50, 0.0);
+  const CapDescent descent(corners, hexsweep::NewtonEquations::Roughly);
+  const CapDescent::Result first = descent.descend(cap.mesh.points, everywhere(distorted), 1, 0.0);
+  EXPECT_LT(first.after, first.before);
+  const CapDescent::Result rough = descent.descend(cap.mesh.points, everywhere(distorted), 50, 0.0);
+  EXPECT_NEAR(rough.after, exact.after, 1e-9 * exact.after);
+}
+
+TEST(CapDescent, SameBitsInAnyOrder)
+{
+  const FlatCap cap(48, { { 8, 8, 8, 8 }, { 28, 24, 12, 12 } }, 0.4, 4);
+  for (const auto equations :
+    { hexsweep::NewtonEquations::Exactly, hexsweep::NewtonEquations::Roughly })
+  {
+    const auto descended = [&](const hexsweep::ParallelFor& parallelFor) -> CapDescent::Result {
+      const CapCorners corners = cap.corners(parallelFor);
+      return CapDescent(corners, equations).descend(cap.mesh.points, everywhere(distorted), 3, 0.0);
+    };
+    const CapDescent::Result one = descended({});
+    for (const hexsweep::ParallelFor& order :
+      { hexsweep::ParallelFor(test::backwards), hexsweep::ParallelFor(test::sideBySide) })
+    {
+      const CapDescent::Result other = descended(order);
+      EXPECT_EQ(one.points, other.points);
+      EXPECT_EQ(one.before, other.before);
+      EXPECT_EQ(one.after, other.after);
+    }
+  }
 }
 
 TEST(CapDescent, WithoutFreeNodesNothingMoves)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/CoarsePlates.h"
+#include "Support/LentThreads.h"
 #include "Support/StretchedCaps.h"
 
 #include "Core/CapQuads/CapMeshing.h"
@@ -314,6 +315,27 @@ TEST(CapQuads, BadInputIsRefused)
   TriangleMesh flat = square;
   flat.points.setZero();
   expectInvalid([&] { defaultQuadSize(flat); }, "no area");
+}
+
+TEST(CapQuads, SameBitsInAnyOrder)
+{
+  for (const TriangleMesh& cap :
+    { coarsePlate(1.0, { { 0.3, 0.4, 0.1, 24 } }), stretchedPlate(2, true, 3.0) })
+  {
+    CapQuadOptions options;
+    options.size = sizeOf(cap) / 90.0;
+    const CapQuads one = meshCapWithQuads(cap, {}, options);
+    EXPECT_GT(one.mesh.quads.rows(), 2000);
+    for (const hexsweep::ParallelFor& order :
+      { hexsweep::ParallelFor(backwards), hexsweep::ParallelFor(sideBySide) })
+    {
+      options.parallelFor = order;
+      const CapQuads other = meshCapWithQuads(cap, {}, options);
+      EXPECT_EQ(one.mesh.points, other.mesh.points);
+      EXPECT_EQ(one.mesh.quads, other.mesh.quads);
+      EXPECT_EQ(one.quadOrigin, other.quadOrigin);
+    }
+  }
 }
 
 TEST(CapQuads, AnAbortEndsTheWork)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/CapMeshes.h"
+#include "Support/LentThreads.h"
 
 #include "Core/CapQuads/QuadNodeMoves.h"
 #include "Core/Surfaces/SurfaceTopology.h"
@@ -45,7 +46,7 @@ struct ShakenGrid
   }
 
   /// With columns along z at every second boundary node.
-  CapCorners corners(bool columns) const
+  CapCorners corners(bool columns, const ParallelFor& parallelFor = {}) const
   {
     const std::vector<bool> fixed = boundaryOf(this->quads);
     std::vector<ColumnDirection> directions;
@@ -56,7 +57,8 @@ struct ShakenGrid
         directions.push_back({ static_cast<Index>(i), { 0.1, -0.2, 1.0 } });
       }
     }
-    return CapCorners(this->quads.quads, fixed, this->surface, directions, this->quads.points);
+    return CapCorners(this->quads.quads, fixed, this->surface, directions, this->quads.points,
+      hexsweep::LeaningColumns::PassedOver, parallelFor);
   }
 };
 
@@ -71,15 +73,6 @@ const std::vector<Block>& twoHoles()
   static const std::vector<Block> holes = { { 2, 2, 2, 2 }, { 7, 6, 3, 3 } };
   return holes;
 }
-
-/// In the largest numbers first, in pieces of its own.
-void backwards(Index count, const std::function<void(Index)>& call)
-{
-  for (Index i = count; i-- > 0;)
-  {
-    call(i);
-  }
-}
 }
 
 TEST(QuadNodeMoves, BringAGridBackToItsSquares)
@@ -89,7 +82,7 @@ TEST(QuadNodeMoves, BringAGridBackToItsSquares)
   QuadNodeMoves moves(corners, grid.quads.points, grid.straight.points);
   const double given = moves.least();
   moves.wake(2.0);
-  for (int sweep = 0; sweep < 200 && moves.sweep(same({}, corners, given), {}) > 0; ++sweep)
+  for (int sweep = 0; sweep < 200 && moves.sweep(same({}, corners, given)) > 0; ++sweep)
   {
   }
   // The grid of squares is where both sums are least; steps end where they gain a hundredth.
@@ -106,7 +99,7 @@ TEST(QuadNodeMoves, LeastIsThatOfTheCorners)
     QuadNodeMoves moves(corners, grid.quads.points, grid.straight.points);
     EXPECT_NEAR(moves.least(), corners.measure(grid.quads.points).minimum, 1e-12);
     moves.wake(2.0);
-    moves.sweep(same({}, corners, moves.least()), {});
+    moves.sweep(same({}, corners, moves.least()));
     EXPECT_NEAR(moves.least(), corners.measure(moves.points()).minimum, 1e-12);
   }
 }
@@ -128,7 +121,7 @@ TEST(QuadNodeMoves, NoCornerFallsBelowTheFloor)
       Index moved = 0;
       for (int sweep = 0; sweep < 6; ++sweep)
       {
-        moved += moves.sweep(same(loss, corners, floor), {});
+        moved += moves.sweep(same(loss, corners, floor));
         EXPECT_GE(moves.least(), floor);
       }
       EXPECT_GT(moved, 0);
@@ -142,7 +135,7 @@ TEST(QuadNodeMoves, NodesStayOnTheSurfaceAndFixedOnesStay)
   const CapCorners corners = grid.corners(true);
   QuadNodeMoves moves(corners, grid.quads.points, grid.straight.points);
   moves.wake(2.0);
-  moves.sweep(same({}, corners, moves.least()), {});
+  moves.sweep(same({}, corners, moves.least()));
   const Points nearest = SurfaceSearch(grid.surface).project(moves.points()).points;
   EXPECT_LT((moves.points() - nearest).rowwise().norm().maxCoeff(), 1e-14);
   const std::vector<bool> fixed = boundaryOf(grid.quads);
@@ -159,20 +152,38 @@ TEST(QuadNodeMoves, NodesStayOnTheSurfaceAndFixedOnesStay)
 TEST(QuadNodeMoves, OrderOfThePiecesDoesNotMatter)
 {
   const ShakenGrid grid(40, twoHoles(), 0.25, 0.4);
-  const CapCorners corners = grid.corners(true);
-  QuadNodeMoves forwards(corners, grid.quads.points, grid.straight.points);
-  QuadNodeMoves other(corners, grid.quads.points, grid.straight.points);
-  for (QuadNodeMoves* moves : { &forwards, &other })
-  {
-    const double floor = moves->least();
-    moves->wake(2.0);
-    for (int sweep = 0; sweep < 3; ++sweep)
+  const auto moved = [&](const ParallelFor& parallelFor) -> Points {
+    const CapCorners corners = grid.corners(true, parallelFor);
+    QuadNodeMoves moves(corners, grid.quads.points, grid.straight.points);
+    const double floor = moves.least();
+    for (const double enough : { 2.0, 0.9 })
     {
-      moves->sweep(
-        same({}, corners, floor), moves == &other ? ParallelFor(backwards) : ParallelFor());
+      moves.wake(enough);
+      for (int sweep = 0; sweep < 3; ++sweep)
+      {
+        moves.sweep(same({}, corners, floor));
+      }
     }
-  }
-  EXPECT_EQ(forwards.points(), other.points());
+    return moves.points();
+  };
+  const Points forwards = moved({});
+  EXPECT_EQ(forwards, moved(backwards));
+  EXPECT_EQ(forwards, moved(sideBySide));
+}
+
+TEST(QuadNodeMoves, ResetIsANewBeginning)
+{
+  const ShakenGrid grid(20, twoHoles(), 0.25, 0.4);
+  const ShakenGrid other(20, twoHoles(), 0.1, 0.4);
+  const CapCorners corners = grid.corners(true);
+  QuadNodeMoves used(corners, other.quads.points, grid.straight.points);
+  used.sweep(same({}, corners, used.least()));
+  used.reset(grid.quads.points);
+  QuadNodeMoves fresh(corners, grid.quads.points, grid.straight.points);
+  EXPECT_EQ(used.least(), fresh.least());
+  const double floor = fresh.least();
+  EXPECT_EQ(used.sweep(same({}, corners, floor)), fresh.sweep(same({}, corners, floor)));
+  EXPECT_EQ(used.points(), fresh.points());
 }
 
 TEST(QuadNodeMoves, SleepingNodesStay)
@@ -181,6 +192,6 @@ TEST(QuadNodeMoves, SleepingNodesStay)
   const CapCorners corners = grid.corners(false);
   QuadNodeMoves moves(corners, grid.quads.points, grid.straight.points);
   moves.wake(moves.least()); // no corner is below the least
-  EXPECT_EQ(moves.sweep(same({}, corners, moves.least()), {}), 0);
+  EXPECT_EQ(moves.sweep(same({}, corners, moves.least())), 0);
   EXPECT_EQ(moves.points(), grid.quads.points);
 }

@@ -6,6 +6,7 @@
 #include "Core/Surfaces/QuadHalving.h"
 #include "Core/Surfaces/SurfaceRefinement.h"
 #include "Support/CapMeshes.h"
+#include "Support/LentThreads.h"
 
 namespace
 {
@@ -429,5 +430,13 @@ TEST(SweepProjection, UntanglingUnwindsATwistedMap)
   const SweepProjection result = hexsweep::projectSweep(input);
   EXPECT_GT(result.invertedBefore, 5);
   EXPECT_EQ(result.quality.inverted, 0);
+  input.improveQuality = true;
+  const SweepProjection one = hexsweep::projectSweep(input);
+  for (const hexsweep::ParallelFor& order :
+    { hexsweep::ParallelFor(test::backwards), hexsweep::ParallelFor(test::sideBySide) })
+  {
+    input.parallelFor = order;
+    EXPECT_EQ(one.quads.points, hexsweep::projectSweep(input).quads.points);
+  }
   expectBoundaryExact(result, cap.quads, motion(cap.quads.points));
 }

@@ -4,6 +4,7 @@
 #include "Core/Solvers/SurfaceLaplacian.h"
 
 #include "Support/CapMeshes.h"
+#include "Support/LentThreads.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
@@ -119,6 +120,27 @@ std::vector<std::pair<std::string, SparseMatrix>> definiteMatrices()
     { "a finer one", laplacian(curvedPlate(24)) }, { "two plates", laplacian(twoPlates()) },
     { "a disk", laplacian(test::disk(9, 30)) },
     { "an annulus", laplacian(test::annulus(0.3, 1.0, 6, 96)) } };
+}
+
+/// Two unknowns a point, which feel each other.
+SparseMatrix inPairs(const SparseMatrix& matrix)
+{
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (int j = 0; j < static_cast<int>(matrix.cols()); ++j)
+  {
+    for (SparseMatrix::InnerIterator it(matrix, j); it; ++it)
+    {
+      const int i = static_cast<int>(it.row());
+      const double mixed = 0.2 * it.value();
+      entries.emplace_back(2 * i, 2 * j, it.value());
+      entries.emplace_back(2 * i + 1, 2 * j + 1, 2.0 * it.value());
+      entries.emplace_back(2 * i, 2 * j + 1, mixed);
+      entries.emplace_back(2 * i + 1, 2 * j, mixed);
+    }
+  }
+  SparseMatrix pairs(2 * matrix.rows(), 2 * matrix.cols());
+  pairs.setFromTriplets(entries.begin(), entries.end());
+  return pairs;
 }
 
 Eigen::MatrixXd solved(Kind kind, const SparseMatrix& matrix, const Eigen::MatrixXd& right)
@@ -312,6 +334,45 @@ TEST(MultifrontalSolver, TwiceGivesTheSameBits)
   for (const Kind kind : { Kind::Cholesky, Kind::LU })
   {
     EXPECT_EQ(solved(kind, matrix, right), solved(kind, matrix, right));
+  }
+}
+
+TEST(MultifrontalSolver, BlocksOfRowsAreOrderedAsOne)
+{
+  const TriangleMesh mesh = curvedPlate(24);
+  const SparseMatrix matrix =
+    inPairs(shifted(hexsweep::cotangentLaplacian(mesh.points, mesh.triangles), 0.5));
+  const Eigen::MatrixXd right = randomMatrix(matrix.rows(), 2, 7);
+  const Eigen::MatrixXd truth = Eigen::MatrixXd(matrix).ldlt().solve(right);
+  for (const hexsweep::Points& places : { hexsweep::Points(0, 3), mesh.points })
+  {
+    MultifrontalSolver solver(matrix, Kind::Cholesky, places, 2);
+    solver.factorize(matrix);
+    EXPECT_LT(difference(solver.solve(right), truth), 1e-12);
+  }
+}
+
+TEST(MultifrontalSolver, BranchesInAnyOrderGiveTheSameBits)
+{
+  const TriangleMesh mesh = curvedPlate(96); // enough for several branches
+  const SparseMatrix plate =
+    shifted(hexsweep::cotangentLaplacian(mesh.points, mesh.triangles), 0.5);
+  const Eigen::MatrixXd right = randomMatrix(2 * plate.rows(), 2, 7);
+  for (const Kind kind : { Kind::Cholesky, Kind::LU })
+  {
+    const SparseMatrix matrix = inPairs(plate);
+    MultifrontalSolver solver(matrix, kind, mesh.points, 2);
+    solver.factorize(matrix);
+    const Eigen::MatrixXd one = solver.solve(right);
+    hexsweep::Index pieces = 0;
+    solver.factorize(matrix, [&](hexsweep::Index count, const auto& call) {
+      pieces = count;
+      test::backwards(count, call);
+    });
+    EXPECT_GT(pieces, 8);
+    EXPECT_EQ(one, solver.solve(right));
+    solver.factorize(matrix, test::sideBySide);
+    EXPECT_EQ(one, solver.solve(right));
   }
 }
 

@@ -35,7 +35,7 @@ constexpr double Growth = 0.4;
 constexpr double DefaultQuads = 1000.0;
 constexpr double MostDefaultQuads = 16000.0;
 constexpr double DefaultLoopEdges = 12.0;
-constexpr Index QuadsAtOnce = 1024;
+constexpr Index OriginsAtOnce = 1024;
 
 void checkOptions(const TriangleMesh& cap, const std::vector<Loop>& loops,
   const std::vector<Index>& faceIds, const CapQuadOptions& options)
@@ -214,7 +214,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
       .points;
 
   result.quadOrigin.resize(static_cast<std::size_t>(result.mesh.quads.rows()));
-  forPieces(threads, result.mesh.quads.rows(), QuadsAtOnce, [&](Index begin, Index end) {
+  forPieces(threads, result.mesh.quads.rows(), OriginsAtOnce, [&](Index begin, Index end) {
     Index last = -1;
     for (Index q = begin; q < end; ++q)
     {

@@ -19,8 +19,8 @@ constexpr double SufficientNodeDecrease = 1e-4;
 constexpr double LeastNodeGain = 1e-2; // of its sum, for a node to be moved
 /// Of Newton's step: nodes follow each other from sweep to sweep.
 constexpr double Relaxation = 1.4;
-constexpr Index NodesAtOnce = 256;
-constexpr Index CornersAtOnce = 4096;
+constexpr Index MovesAtOnce = 256;
+constexpr Index MovedCornersAtOnce = 4096;
 
 /// distortion() of an upright corner against a rectangle, above its least.
 double distortionOf(double squareA, double squareB, double determinant, const double* wanted)
@@ -104,7 +104,7 @@ QuadNodeMoves::QuadNodeMoves(const CapCorners& cap, const Points& points, const 
 /// All that does not depend on where the nodes are.
 void QuadNodeMoves::makeCorners(const PointsRef& source)
 {
-  forPieces(this->Cap.parallelFor(), static_cast<Index>(this->Corners.size()), CornersAtOnce,
+  forPieces(this->Cap.parallelFor(), static_cast<Index>(this->Corners.size()), MovedCornersAtOnce,
     [&](Index begin, Index end) {
       for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
       {
@@ -401,7 +401,7 @@ Index QuadNodeMoves::sweep(const Losses& losses)
       }
     }
     moved.assign(nodes.size(), 0);
-    forPieces(this->Cap.parallelFor(), static_cast<Index>(nodes.size()), NodesAtOnce,
+    forPieces(this->Cap.parallelFor(), static_cast<Index>(nodes.size()), MovesAtOnce,
       [&](Index begin, Index end) {
         for (Index n = begin; n < end; ++n)
         {
@@ -446,7 +446,7 @@ void QuadNodeMoves::wakeAround(const std::vector<Index>& moved)
   {
     return;
   }
-  forPieces(this->Cap.parallelFor(), static_cast<Index>(asleep.size()), NodesAtOnce,
+  forPieces(this->Cap.parallelFor(), static_cast<Index>(asleep.size()), MovesAtOnce,
     [&](Index begin, Index end) {
       for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n)
       {
@@ -476,7 +476,7 @@ bool QuadNodeMoves::isWanting(std::size_t k) const
 void QuadNodeMoves::wake(double enough)
 {
   this->Enough = enough;
-  forPieces(this->Cap.parallelFor(), static_cast<Index>(this->Awake.size()), NodesAtOnce,
+  forPieces(this->Cap.parallelFor(), static_cast<Index>(this->Awake.size()), MovesAtOnce,
     [&](Index begin, Index end) {
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
       {

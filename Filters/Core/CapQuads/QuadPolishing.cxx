@@ -18,6 +18,9 @@ constexpr int PolishingSteps = 8;
 constexpr double SettledSum = 1e-3; // relative decrease of the sum that ends a descent
 constexpr int RelaxingSteps = 4;
 constexpr double Relaxed = 5e-3;
+/// Free nodes from which on equations of all are solved roughly. With fewer a factorisation is
+/// cheap, and where the descent ends does not depend on rounding.
+constexpr std::size_t ManyNodes = 8000;
 constexpr double DistortionEpsilon = 1e-3;
 constexpr double SharpnessTogether[] = { 10.0, 20.0, 40.0, 80.0 };
 constexpr int MeanRounds = 6;
@@ -45,9 +48,9 @@ constexpr double KeptOfMinimum = 0.9;
 constexpr double KeptOfLow = 0.97;
 /// Of what is kept, to the barrier: nodes that return to the surface need some room.
 constexpr double Room = 0.95;
-/// Least gain of the mean for what the minimum loses: of a mesh that is even already the mean rises
-/// by 0.0002 where the minimum falls by 0.1.
-constexpr double LeastTrade = 0.02;
+/// Least gain of the mean for what the minimum loses, of a mesh that stands well: of an even one
+/// the mean rises by 0.0002 where the minimum falls by 0.1.
+constexpr double LeastTrade = 0.005;
 
 using Losses = QuadNodeMoves::Losses;
 
@@ -236,8 +239,9 @@ void raiseMean(const CapCorners& cap, QuadNodeMoves& moves, const Losses& losses
   ++best.rounds;
   const CornerQuality quality = cap.measure(moves.points());
   const double lost = std::max(0.0, best.quality.minimum - quality.minimum);
+  const double wanted = cap.freeNodes().size() < ManyNodes ? 0.0 : LeastTrade * lost;
   if (quality.inverted == 0 && quality.minimum >= losses.floor &&
-    quality.mean > best.quality.mean + LeastTrade * lost)
+    quality.mean > best.quality.mean + wanted)
   {
     take(moves.points(), quality, best);
   }
@@ -254,7 +258,8 @@ ImprovedQuads polishQuads(
   }
   const double given = best.quality.minimum;
   reportProgress(progress, 0.0);
-  Together together(cap, source, points, NewtonEquations::Roughly);
+  Together together(cap, source, points,
+    cap.freeNodes().size() < ManyNodes ? NewtonEquations::Exactly : NewtonEquations::Roughly);
   QuadNodeMoves moves(cap, points, source);
   reportProgress(progress, 0.1);
   const ImprovedQuads unrelaxed = best;

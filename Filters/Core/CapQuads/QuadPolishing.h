@@ -13,14 +13,14 @@ namespace hexsweep
 /**
  * Moves inner nodes over the surface, in a bounded number of steps:
  *  1. a few Newton steps of all nodes together down sum (1 - SJ)^2, with a logarithmic barrier at
- *     the minimum that was given, solved roughly by conjugate gradients;
+ *     the minimum that was given, in large caps solved roughly by conjugate gradients;
  *  2. steps of single nodes down sum exp(k (m - SJ)) over the corners that are near the minimum m,
  *     with rising k: a smooth minimum, which raises the worst corners. Where it stays low, because
  *     nodes are in each other's way, all nodes of the patches round the worst corners together;
  *     where it stays below 0.75 likewise, as long as the patches are a small part of the quads;
  *  3. steps of single nodes for the mean again, of all together where 1 was of no use, which give
  *     away at most a seventh of the minimum that was gained, none of the minimum that was given.
- *     What single nodes give away counts only where the mean gains a fiftieth of it.
+ *     In large caps that counts only where the mean gains 0.005 of it.
  * At a column the scaled Jacobian is that of the hexahedron's corner there. The nearer a column is
  * to the surface, as where a rounded body's sides run into its cap, the less can be given away:
  * there the cap's inner nodes alone decide whether the hexahedra have any room, and it is little.

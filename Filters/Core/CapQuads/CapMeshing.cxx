@@ -32,6 +32,9 @@ constexpr double MaximumQuads = 50e6;
 /// are as large as squares of the wanted size.
 constexpr double TriangleSize = 2.32;
 constexpr double Growth = 0.4;
+/// The same where chords limit them: the longest edges of the triangles, 4/3 of this, are twice
+/// those of the quads, which are not to be longer.
+constexpr double ChordTriangle = 1.5;
 constexpr double DefaultQuads = 1000.0;
 constexpr double MostDefaultQuads = 16000.0;
 constexpr double DefaultLoopEdges = 12.0;
@@ -92,7 +95,7 @@ LengthLimit longestEdges(
   const auto chords = std::make_shared<ChordLengths>(cap, faceIds, options.chordTolerance);
   const double least = LeastOfChord * options.size;
   return [chords, least](const Eigen::RowVector3d& place) {
-    return TriangleSize * std::max(least, chords->at(place));
+    return ChordTriangle * std::max(least, chords->at(place));
   };
 }
 

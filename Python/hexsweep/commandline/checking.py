@@ -15,29 +15,28 @@ _PIECE = 1 << 20
 def xml_damage(path):
     """The writer of .vtu files goes through the file from front to end, in text.
     @return what is wrong, in words that follow "the file"; nothing where it is whole."""
-    with open(path, "rb") as file:
-        file.seek(-min(64, os.path.getsize(path)), os.SEEK_END)
-        if not file.read().rstrip().endswith(b"</VTKFile>"):
-            return "has no end"
-        file.seek(0)
-        pieces = iter(lambda: file.read(_PIECE), b"")
-        return "has holes" if any(b"\0" in piece for piece in pieces) else ""
+    return _damage(path, lambda end: end.rstrip().endswith(b"</VTKFile>"))
 
 
 def text_damage(path):
     """@return as xml_damage(): what a writer of text leaves where the disk is full."""
-    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        if content[-1:] != b"\n":
-            return "has no end"
-        return "has holes" if content.find(b"\0") >= 0 else ""
+    return _damage(path, lambda end: end.endswith(b"\n"))
 
 
 def gmsh_damage(path, binary):
     """@return as xml_damage()."""
-    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        if not content[-64:].endswith(b"\n$EndElements\n"):
+    return _damage(path, lambda end: end.endswith(b"\n$EndElements\n"), binary)
+
+
+def _damage(path, is_end, binary=False):
+    """@param is_end: of the last bytes, whether the file may end with them."""
+    with open(path, "rb") as file:
+        file.seek(-min(64, os.path.getsize(path)), os.SEEK_END)
+        if not is_end(file.read()):
             return "has no end"
-        return "has holes" if not binary and content.find(b"\0") >= 0 else ""
+        file.seek(0)
+        pieces = iter(lambda: file.read(_PIECE), b"")
+        return "has holes" if not binary and any(b"\0" in piece for piece in pieces) else ""
 
 
 def legacy_difference(path, own):

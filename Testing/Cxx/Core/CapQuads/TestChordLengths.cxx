@@ -103,8 +103,8 @@ TEST(ChordLengths, QuadsKeepTheToleranceWhereTheyAreMade)
     options.chordTolerance = tolerance;
     const CapQuads quads = meshCapWithQuads(cap, {}, options);
     EXPECT_EQ(quads.inverted, 0);
-    // The mesher hits lengths to a third, and facets stay below the sphere.
-    EXPECT_LT(greatestRise(quads.mesh), 1.4 * tolerance);
+    // The polish moves nodes a little, and facets stay below the sphere.
+    EXPECT_LT(greatestRise(quads.mesh), 1.1 * tolerance);
     EXPECT_GT(greatestRise(quads.mesh), 0.5 * tolerance);
   }
   options.chordTolerance = -0.1;

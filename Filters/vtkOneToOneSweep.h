@@ -127,7 +127,8 @@ public:
   ///@{
   /// How high curves and surfaces of the source cap may rise above the edges of quads that are
   /// made, over the edges' length, in [0, 0.5]: where they bend more, quads are smaller than asked
-  /// for, down to a fiftieth. 0.05 puts 16 edges on a circle. 0 (the default): any height.
+  /// for, down to a fiftieth. 0.05 puts 16 edges on a circle. Some edges inside the cap (one in ten
+  /// or fewer) rise higher, up to twice as high. 0 (the default): any height.
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
   ///@}

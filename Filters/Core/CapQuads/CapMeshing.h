@@ -20,7 +20,8 @@ struct CapQuadOptions
 {
   double size = 0.0; ///< wanted edge length of the quads, > 0, in the cap's length unit
   /// How high curves and surfaces may rise above the quads' edges, over the edges' length, in
-  /// [0, 0.5]: edges there are shorter than `size` (down to a fiftieth). 0: any height.
+  /// [0, 0.5]: edges there are shorter than `size` (down to a fiftieth). The polish moves nodes:
+  /// some edges (one in ten or fewer) rise higher, up to twice as high. 0: any height.
   double chordTolerance = 0.0;
   std::vector<Index> keep; ///< points of the cap that are to be nodes, in any order
   /// Edges of the cap's boundary that are to be edges of the quads, undivided, as pairs of points

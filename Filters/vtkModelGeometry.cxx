@@ -60,7 +60,8 @@ vtkModelGeometry::Geometry vtkModelGeometry::Of(vtkDataObject* data, std::string
   }
   if (!restorer())
   {
-    problem = "the solid brings its CAD geometry, but HexSweep was built without OpenCASCADE";
+    problem = "the solid brings its CAD geometry, but the library that reads it is not loaded (in "
+              "Python: name hexsweep.vtkCADReader once) or was not built (it needs OpenCASCADE)";
     return nullptr;
   }
   return restorer()(data, problem);

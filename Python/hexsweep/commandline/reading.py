@@ -57,4 +57,6 @@ def read(file_name, messages):
         raise Refusal(f"{file_name}: cannot be read{why}".rstrip(". \n") + ".")
     if data.GetNumberOfCells() == 0:
         raise Refusal(f"{file_name}: no cells in it.")
+    if data.GetFieldData() and data.GetFieldData().HasArray("CADFaceIds"):
+        getattr(hexsweep, "vtkCADReader", None)  # its library restores the geometry that came along
     return data

@@ -8,11 +8,24 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
+#include <Interface_Static.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <TDF_Label.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 #include <gp_Pln.hxx>
 
 #include <vtkCellData.h>
@@ -353,4 +366,56 @@ TEST(CADReader, OtherRanksGetTheStructure)
   sweep->UpdatePiece(1, 2, 0);
   EXPECT_TRUE(messages.errors.empty());
   EXPECT_EQ(sweep->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(CADReader, NamesAndColoursOfTheFileArrive)
+{
+  const TopoDS_Shape shape = block(0, 0, 0, 1, 2, 3);
+  opencascade::handle<TDocStd_Document> document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  const TDF_Label part = shapes->AddShape(shape, false);
+  TDataStd_Name::Set(part, "Bracket");
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+  {
+    GProp_GProps surface;
+    BRepGProp::SurfaceProperties(face.Current(), surface);
+    if (surface.CentreOfMass().Z() > 2.9) // the upper one
+    {
+      const TDF_Label label = shapes->AddSubShape(part, face.Current());
+      TDataStd_Name::Set(label, "Inlet");
+      colors->SetColor(label, Quantity_Color(1.0, 0.0, 0.0, Quantity_TOC_sRGB), XCAFDoc_ColorSurf);
+    }
+  }
+  const std::string file = temporaryFile("names.step");
+  STEPCAFControl_Writer writer;
+  writer.SetNameMode(true);
+  writer.SetColorMode(true);
+  Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
+  writer.Transfer(document, STEPControl_AsIs);
+  ASSERT_EQ(writer.Write(file.c_str()), IFSelect_RetDone);
+
+  vtkNew<vtkCADReader> reader;
+  reader->SetFileName(file);
+  reader->Update();
+  vtkPolyData* solid = solidOf(reader);
+  vtkFieldData* fields = solid->GetFieldData();
+  EXPECT_EQ(
+    vtkStringArray::SafeDownCast(fields->GetAbstractArray("VolumeName"))->GetValue(0), "Bracket");
+  auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray("FaceNames"));
+  vtkDataArray* ids = solid->GetCellData()->GetArray("FaceId");
+  int named = 0;
+  for (vtkIdType t = 0; t < solid->GetNumberOfCells(); ++t)
+  {
+    double bounds[6];
+    solid->GetCellBounds(t, bounds);
+    const auto id = static_cast<vtkIdType>(ids->GetTuple1(t));
+    const bool isUpper = bounds[4] > 2.9;
+    EXPECT_EQ(names->GetValue(id), isUpper ? "Inlet" : "");
+    // Single precision in the kernel.
+    EXPECT_NEAR(fields->GetArray("FaceColors")->GetComponent(id, 0), isUpper ? 1.0 : -1.0, 1e-6);
+    named += isUpper ? 1 : 0;
+  }
+  EXPECT_EQ(named, 2);
 }

@@ -183,8 +183,9 @@ CADModel readSTEP(
   const std::string& fileName, const CADFileOptions& options, const Progress& progress)
 {
   checkIsWhole(fileName);
-  const KernelSetting names("read.stepcaf.subshapes.name", 1);
   STEPCAFControl_Reader reader;
+  // The setting is there from the first reader on, and not before.
+  const KernelSetting names("read.stepcaf.subshapes.name", 1);
   reader.SetColorMode(true);
   reader.SetNameMode(true);
   reader.SetLayerMode(false);

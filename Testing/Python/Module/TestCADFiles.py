@@ -39,6 +39,22 @@ def test_all_solids_are_meshed_with_their_nodes_on_the_surfaces():
         assert not data.HasArray("CADGeometry")
 
 
+def test_names_of_faces_arrive_in_the_sets():
+    """In a process of its own, where the CAD kernel has read and written nothing before."""
+    named = os.path.join(os.environ["HEXSWEEP_DATA_DIR"], "cad", "named_block.step")
+    listed = run("faces", named).stdout
+    assert "Inlet" in listed, listed
+    with temporary_folder() as folder:
+        for extension, part in (
+            (".inp", "*SURFACE, NAME=Inlet, TYPE=ELEMENT"), (".inp", "ELSET=Bracket"), (".msh", '"Inlet"'), (".ex2", "Inlet")
+        ):
+            name = os.path.join(folder, "block" + extension)
+            done = run(named, "-o", name, "--size", "0.3")
+            assert done.returncode == 0, done.stderr
+            with open(name, "rb") as file:
+                assert part.encode() in file.read(), (extension, part)
+
+
 def test_bad_files_are_refused_in_one_line():
     with temporary_folder() as folder:
         cut = os.path.join(folder, "cut.step")

@@ -94,7 +94,7 @@ TopoDS_Shape shapeFromFile(vtkFieldData* fields)
 }
 
 /// The library that is loaded can restore geometries.
-[[maybe_unused]] const bool isRegistered = (vtkModelGeometry::SetRestorer(&restoreGeometry), true);
+[[maybe_unused]] const bool IsRegistered = (vtkModelGeometry::SetRestorer(&restoreGeometry), true);
 }
 
 std::string binaryOf(const NumberedSolid& solid)

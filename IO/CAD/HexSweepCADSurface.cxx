@@ -261,7 +261,7 @@ std::optional<CADSurfacePlace> CADSurface::searched(const gp_Pnt& place) const
     double u = 0.0;
     double v = 0.0;
     search.LowerDistanceParameters(u, v);
-    if (const std::optional<CADSurfacePlace> better = this->newton(place, u, v))
+    if (std::optional<CADSurfacePlace> better = this->newton(place, u, v))
     {
       return better;
     }

@@ -61,16 +61,10 @@ std::string textIn(vtkFieldData* fields, const char* name)
   return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
 }
 
-TopoDS_Shape shapeOf(vtkDataArray* bytes)
+TopoDS_Shape shapeOf(vtkUnsignedCharArray* bytes)
 {
-  const auto count = static_cast<std::size_t>(bytes->GetNumberOfValues());
-  std::string text(count, '\0');
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    text[i] = static_cast<char>(
-      static_cast<unsigned char>(bytes->GetComponent(static_cast<vtkIdType>(i), 0)));
-  }
-  std::istringstream stream(text);
+  const unsigned char* first = bytes->GetPointer(0);
+  std::istringstream stream(std::string(first, first + bytes->GetNumberOfValues()));
   TopoDS_Shape shape;
   BinTools::Read(shape, stream);
   return shape;
@@ -130,7 +124,7 @@ vtkModelGeometry::Geometry restoreGeometry(vtkDataObject* data, std::string& pro
   try
   {
     const SilencedCAD silenced;
-    vtkDataArray* bytes = fields->GetArray(arrays::CADGeometry);
+    auto* bytes = vtkUnsignedCharArray::SafeDownCast(fields->GetArray(arrays::CADGeometry));
     NumberedSolid solid;
     solid.shape = callCAD("the CAD geometry of the solid cannot be read",
       [&] { return bytes ? shapeOf(bytes) : shapeFromFile(fields); });

@@ -179,6 +179,26 @@ void checkIsWhole(const std::string& fileName)
   }
 }
 
+/// The second half of what the kernel's two readers do alike: shapes in a unit, and their names.
+template <typename Reader>
+CADModel transfer(
+  Reader& reader, const std::string& fileName, const Unit& unit, const Progress& progress)
+{
+  const KernelUnit kernelUnit(unit.kernelName);
+  Document document;
+  XCAFDoc_DocumentTool::SetLengthUnit(document.Handle, 1.0, unit.unit);
+  opencascade::handle<CADProgress> shown = new CADProgress(progress);
+  const bool transferred = reader.Transfer(document.Handle, shown->Start());
+  shown->check();
+  if (!transferred)
+  {
+    refuse(fileName, "the file has no shape that can be taken over.");
+  }
+  CADModel model = readProducts(document.Handle);
+  model.lengthUnit = unit.name;
+  return model;
+}
+
 CADModel readSTEP(
   const std::string& fileName, const CADFileOptions& options, const Progress& progress)
 {
@@ -202,19 +222,7 @@ CADModel readSTEP(
   const Unit& unit = !options.lengthUnit.empty() ? unitNamed(options.lengthUnit)
     : lengths.IsEmpty()                          ? Units.front()
                                                  : unitCalled(lower(lengths.First().ToCString()));
-  const KernelUnit kernelUnit(unit.kernelName);
-  Document document;
-  XCAFDoc_DocumentTool::SetLengthUnit(document.Handle, 1.0, unit.unit);
-  opencascade::handle<CADProgress> shown = new CADProgress(progressPart(progress, 0.2, 1.0));
-  const bool transferred = reader.Transfer(document.Handle, shown->Start());
-  shown->check();
-  if (!transferred)
-  {
-    refuse(fileName, "the file has no shape that can be taken over.");
-  }
-  CADModel model = readProducts(document.Handle);
-  model.lengthUnit = unit.name;
-  return model;
+  return transfer(reader, fileName, unit, progressPart(progress, 0.2, 1.0));
 }
 
 CADModel readIGES(
@@ -234,19 +242,7 @@ CADModel readIGES(
     // The kernel knows these by their factor to millimetres.
     : unitOfFile(UnitsMethods::GetLengthUnitByFactorValue(
         iges->GlobalSection().UnitValue(), UnitsMethods_LengthUnit_Millimeter));
-  const KernelUnit kernelUnit(unit.kernelName);
-  Document document;
-  XCAFDoc_DocumentTool::SetLengthUnit(document.Handle, 1.0, unit.unit);
-  opencascade::handle<CADProgress> shown = new CADProgress(progressPart(progress, 0.2, 1.0));
-  const bool transferred = reader.Transfer(document.Handle, shown->Start());
-  shown->check();
-  if (!transferred)
-  {
-    refuse(fileName, "the file has no shape that can be taken over.");
-  }
-  CADModel model = readProducts(document.Handle);
-  model.lengthUnit = unit.name;
-  return model;
+  return transfer(reader, fileName, unit, progressPart(progress, 0.2, 1.0));
 }
 
 CADModel readBREP(

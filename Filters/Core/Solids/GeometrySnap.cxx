@@ -48,6 +48,23 @@ struct Boundary
   std::vector<std::vector<Index>> quadsOf; ///< by node
 };
 
+/// Loop, and place on it; -1: a point on none.
+using Column = std::pair<std::size_t, Index>;
+
+/// By point of the source quads.
+std::vector<Column> columnPlaces(const RingStack& rings, Index points)
+{
+  std::vector<Column> columns(at(points), { 0, -1 });
+  for (std::size_t l = 0; l < rings.loops.size(); ++l)
+  {
+    for (std::size_t j = 0; j < rings.loops[l].size(); ++j)
+    {
+      columns[at(rings.loops[l][j])] = { l, static_cast<Index>(j) };
+    }
+  }
+  return columns;
+}
+
 Boundary boundaryOf(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology)
 {
   const Index n = cage.source.rows();
@@ -56,14 +73,7 @@ Boundary boundaryOf(const SolidCage& cage, const SolidSurface& solid, const Swee
   const std::vector<BoundaryQuad> quads = boundaryQuads(cage, solid, topology);
   Boundary result;
   std::vector<Index> rowOf(at((layers + 1) * n), -1);
-  std::vector<std::pair<std::size_t, Index>> columnOf(at(n), { 0, -1 });
-  for (std::size_t l = 0; l < rings.loops.size(); ++l)
-  {
-    for (std::size_t j = 0; j < rings.loops[l].size(); ++j)
-    {
-      columnOf[at(rings.loops[l][j])] = { l, static_cast<Index>(j) };
-    }
-  }
+  const std::vector<Column> columnOf = columnPlaces(rings, n);
   std::vector<Place> places;
   const Index caps = 2 * cage.quads.rows();
   for (std::size_t q = 0; q < quads.size(); ++q)
@@ -272,14 +282,7 @@ void setPlaces(const Boundary& boundary, const Points& places, SolidCage& cage)
   const Index n = cage.source.rows();
   RingStack& rings = cage.linking.rings;
   const Index layers = rings.numberOfLayers();
-  std::vector<std::pair<std::size_t, Index>> columnOf(at(n), { 0, -1 });
-  for (std::size_t l = 0; l < rings.loops.size(); ++l)
-  {
-    for (std::size_t j = 0; j < rings.loops[l].size(); ++j)
-    {
-      columnOf[at(rings.loops[l][j])] = { l, static_cast<Index>(j) };
-    }
-  }
+  const std::vector<Column> columnOf = columnPlaces(rings, n);
   for (std::size_t row = 0; row < boundary.points.size(); ++row)
   {
     const Index layer = boundary.points[row] / n;

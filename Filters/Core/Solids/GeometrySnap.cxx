@@ -178,7 +178,7 @@ private:
     all.insert(sides.begin(), sides.end());
     if (all.size() > 1)
     {
-      const std::optional<Place> onEdge =
+      std::optional<Place> onEdge =
         isOnLoop ? this->onEdges(caps, sides, here, edge) : this->onEdges(all, all, here, edge);
       if (onEdge && (isOnLoop || (*onEdge - here).norm() <= OnEdge * edge))
       {

@@ -29,10 +29,25 @@ vtkModelGeometry::vtkModelGeometry() = default;
 vtkModelGeometry::~vtkModelGeometry() = default;
 
 //------------------------------------------------------------------------------
-void vtkModelGeometry::SetGeometry(Geometry geometry)
+void vtkModelGeometry::SetMaker(Maker maker)
 {
-  this->Model = std::move(geometry);
+  this->Make = std::move(maker);
+  this->Model = nullptr;
+  this->Problem.clear();
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkModelGeometry::Geometry vtkModelGeometry::GetGeometry(std::string& problem)
+{
+  const std::lock_guard<std::mutex> lock(this->Making);
+  if (this->Make)
+  {
+    const Maker make = std::exchange(this->Make, nullptr);
+    this->Model = make(this->Problem);
+  }
+  problem = this->Problem;
+  return this->Model;
 }
 
 //------------------------------------------------------------------------------
@@ -51,7 +66,7 @@ vtkModelGeometry::Geometry vtkModelGeometry::Of(vtkDataObject* data, std::string
   if (auto* own = vtkModelGeometry::SafeDownCast(
         data->GetInformation()->Get(vtkModelGeometry::MODEL_GEOMETRY())))
   {
-    return own->GetGeometry();
+    return own->GetGeometry(problem);
   }
   vtkFieldData* fields = data->GetFieldData();
   if (!fields || !fields->HasArray(hexsweep::arrays::CADFaceIds))
@@ -71,5 +86,6 @@ vtkModelGeometry::Geometry vtkModelGeometry::Of(vtkDataObject* data, std::string
 void vtkModelGeometry::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Geometry: " << (this->Model ? "yes" : "no") << "\n";
+  const char* state = this->Make ? "not made yet" : "none";
+  os << indent << "Geometry: " << (this->Model ? "made" : state) << "\n";
 }

@@ -15,7 +15,10 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For the geometry of a data object
 
-#include <memory> // For the geometry
+#include <functional> // For the maker
+#include <memory>     // For the geometry
+#include <mutex>      // For the geometry
+#include <string>     // For problems
 
 class vtkDataObject;
 class vtkInformationObjectBaseKey;
@@ -38,11 +41,14 @@ public:
 #ifndef __VTK_WRAP__
   using Geometry = std::shared_ptr<const hexsweep::ModelGeometry>;
 
-  void SetGeometry(Geometry geometry);
-  const Geometry& GetGeometry() const
-  {
-    return this->Model;
-  }
+  /// Makes the geometry, or says why it cannot.
+  using Maker = std::function<Geometry(std::string& problem)>;
+
+  /// How the geometry is made when it is first asked for: most solids of a file are never swept.
+  void SetMaker(Maker maker);
+
+  /// The geometry; nothing, with the problem, where it cannot be made. May be called by any thread.
+  Geometry GetGeometry(std::string& problem);
 
   /**
    * The geometry of a data object: that in its information, else one that is made from its field
@@ -67,7 +73,10 @@ private:
   vtkModelGeometry(const vtkModelGeometry&) = delete;
   void operator=(const vtkModelGeometry&) = delete;
 
+  std::mutex Making;
+  Maker Make; // empty: it was made
   std::shared_ptr<const hexsweep::ModelGeometry> Model;
+  std::string Problem;
 };
 
 #endif

@@ -1,20 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepCADImprint.h"
 
+#include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
 #include "HexSweepCADRepair.h"
 #include "HexSweepCADRun.h"
 
 #include <BOPAlgo_Builder.hxx>
+#include <BOPTools_BoxTree.hxx>
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
+#include <Bnd_Tools.hxx>
+#include <NCollection_DataMap.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 
 #include <algorithm>
+#include <map>
 
 namespace hexsweep
 {
 namespace
 {
+/// Rows of CADModel::solids.
+using SolidGroup = std::vector<std::size_t>;
+
+/// By row of CADModel::labels, what became of the label's face.
+using LabelImages = std::vector<std::vector<CADFaceLabel>>;
+
 /// What became of a shape.
 std::vector<TopoDS_Shape> imagesOf(BOPAlgo_Builder& fuse, const TopoDS_Shape& shape)
 {
@@ -35,15 +50,25 @@ std::vector<TopoDS_Shape> imagesOf(BOPAlgo_Builder& fuse, const TopoDS_Shape& sh
   return images;
 }
 
-/// Names of the solids that have something in common with others.
-std::vector<std::string> overlapping(BOPAlgo_Builder& fuse, const CADModel& model)
+std::vector<std::string> namesOf(const CADModel& model, const SolidGroup& group)
+{
+  std::vector<std::string> names;
+  for (const std::size_t s : group)
+  {
+    names.push_back("\"" + model.solids[s].name + "\"");
+  }
+  return names;
+}
+
+/// Those solids of a group that have something in common with others.
+SolidGroup overlapping(BOPAlgo_Builder& fuse, const CADModel& model, const SolidGroup& group)
 {
   std::vector<std::vector<TopoDS_Shape>> images;
   TopTools_MapOfShape once;
   TopTools_MapOfShape twice;
-  for (const CADSolid& solid : model.solids)
+  for (const std::size_t s : group)
   {
-    images.push_back(imagesOf(fuse, solid.shape));
+    images.push_back(imagesOf(fuse, model.solids[s].shape));
     for (const TopoDS_Shape& image : images.back())
     {
       if (!once.Add(image))
@@ -52,73 +77,167 @@ std::vector<std::string> overlapping(BOPAlgo_Builder& fuse, const CADModel& mode
       }
     }
   }
-  std::vector<std::string> names;
-  for (std::size_t s = 0; s < images.size(); ++s)
+  SolidGroup found;
+  for (std::size_t k = 0; k < images.size(); ++k)
   {
-    const bool shares = std::any_of(images[s].begin(), images[s].end(),
+    const bool shares = std::any_of(images[k].begin(), images[k].end(),
       [&](const TopoDS_Shape& image) { return twice.Contains(image); });
-    if (images[s].size() != 1 || shares)
+    if (images[k].size() != 1 || shares)
     {
-      names.push_back("\"" + model.solids[s].name + "\"");
+      found.push_back(group[k]);
     }
   }
-  return names;
-}
+  return found;
 }
 
-void imprintAndMerge(CADModel& model, double tolerance, const Progress& progress)
+/// Groups of two solids and more whose boxes overlap, directly or by others: only these can touch.
+/// Many small fuses cost far less than one of thousands of solids.
+std::vector<SolidGroup> neighbours(const CADModel& model, double tolerance)
 {
-  if (model.solids.size() < 2)
+  const int solids = static_cast<int>(model.solids.size());
+  const opencascade::handle<BOPTools_BoxTree> tree = new BOPTools_BoxTree();
+  tree->SetSize(solids);
+  for (int s = 0; s < solids; ++s)
   {
-    return;
+    Bnd_Box box;
+    BRepBndLib::Add(model.solids[static_cast<std::size_t>(s)].shape, box);
+    box.Enlarge(tolerance);
+    tree->Add(s, Bnd_Tools::Bnd2BVH(box));
   }
-  const SilencedCAD silenced;
-  BOPAlgo_Builder fuse;
-  for (const CADSolid& solid : model.solids)
+  tree->Build();
+  BOPTools_BoxPairSelector selector;
+  selector.SetBVHSets(tree.get(), tree.get());
+  selector.SetSame(true);
+  selector.Select();
+  DisjointSets sets(solids);
+  for (const BOPTools_BoxPairSelector::PairIDs& pair : selector.Pairs())
   {
-    fuse.AddArgument(solid.shape);
+    sets.join(pair.ID1, pair.ID2);
+  }
+  std::map<Index, SolidGroup> groups; // by the first solid
+  for (int s = 0; s < solids; ++s)
+  {
+    groups[sets.find(s)].push_back(static_cast<std::size_t>(s));
+  }
+  std::vector<SolidGroup> several;
+  for (auto& [first, group] : groups)
+  {
+    if (group.size() > 1)
+    {
+      several.push_back(std::move(group));
+    }
+  }
+  return several;
+}
+
+/// By group, the rows of the labels of its faces.
+std::vector<std::vector<std::size_t>> labelsOf(
+  const CADModel& model, const std::vector<SolidGroup>& groups)
+{
+  NCollection_DataMap<TopoDS_Shape, std::size_t, TopTools_ShapeMapHasher> groupOfFace;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+  {
+    for (const std::size_t s : groups[g])
+    {
+      for (TopExp_Explorer face(model.solids[s].shape, TopAbs_FACE); face.More(); face.Next())
+      {
+        groupOfFace.Bind(face.Current(), g);
+      }
+    }
+  }
+  std::vector<std::vector<std::size_t>> rows(groups.size());
+  for (std::size_t row = 0; row < model.labels.size(); ++row)
+  {
+    if (const std::size_t* const group = groupOfFace.Seek(model.labels[row].face))
+    {
+      rows[*group].push_back(row);
+    }
+  }
+  return rows;
+}
+
+/// Imprints the solids of a group on each other, or complains and leaves them.
+void imprintGroup(CADModel& model, const SolidGroup& group, double tolerance,
+  const std::vector<std::size_t>& labels, LabelImages& images, const Progress& progress)
+{
+  const auto complain = [&](const SolidGroup& solids, const std::string& why) {
+    model.complaints.push_back(listWords(namesOf(model, solids)) + " " + why +
+      " They are not imprinted on what they touch, and share no faces with it. Switch "
+      "ImprintAndMerge off to be rid of this message.");
+  };
+  BOPAlgo_Builder fuse;
+  for (const std::size_t s : group)
+  {
+    fuse.AddArgument(model.solids[s].shape);
   }
   fuse.SetNonDestructive(true);
   fuse.SetRunParallel(false);
-  fuse.SetFuzzyValue(tolerance * model.size);
-  opencascade::handle<CADProgress> shown = new CADProgress(progress);
-  const auto complain = [&](const std::string& why) {
-    model.complaints.push_back("the solids are not imprinted on each other, and share no faces: " +
-      why + " Switch ImprintAndMerge off to be rid of this message.");
-  };
+  fuse.SetFuzzyValue(tolerance);
+  const opencascade::handle<CADProgress> shown = new CADProgress(progress);
   try
   {
     fuse.Perform(shown->Start());
     shown->check();
     if (fuse.HasErrors())
     {
-      complain("the CAD kernel found no way.");
+      complain(group, "cannot be imprinted on each other by the CAD kernel.");
       return;
     }
-    const std::vector<std::string> names = overlapping(fuse, model);
-    if (!names.empty())
+    const SolidGroup common = overlapping(fuse, model, group);
+    if (!common.empty())
     {
-      complain(listWords(names) + " overlap. Mend this in the CAD system.");
+      complain(common, "overlap. Mend this in the CAD system.");
       return;
     }
-    std::vector<CADFaceLabel> labels;
-    for (const CADFaceLabel& label : model.labels)
+    for (const std::size_t row : labels)
     {
+      const CADFaceLabel label = model.labels[row];
+      images[row].clear();
       for (const TopoDS_Shape& image : imagesOf(fuse, label.face))
       {
-        labels.push_back({ image, label.name, label.color });
+        images[row].push_back({ image, label.name, label.color });
       }
     }
-    model.labels = std::move(labels);
-    for (CADSolid& solid : model.solids)
+    for (const std::size_t s : group)
     {
-      const TopoDS_Shape image = imagesOf(fuse, solid.shape).front();
-      solid.shape = image;
+      model.solids[s].shape = imagesOf(fuse, model.solids[s].shape).front();
     }
   }
   catch (const Standard_Failure& failure)
   {
-    complain(describeFailure(failure) + ".");
+    complain(group, "cannot be imprinted: " + describeFailure(failure) + ".");
+  }
+}
+}
+
+void imprintAndMerge(CADModel& model, double tolerance, const Progress& progress)
+{
+  const SilencedCAD silenced;
+  const std::vector<SolidGroup> groups =
+    callCAD("boxes of the solids", [&] { return neighbours(model, tolerance * model.size); });
+  const std::vector<std::vector<std::size_t>> rows = labelsOf(model, groups);
+  LabelImages images;
+  for (const CADFaceLabel& label : model.labels)
+  {
+    images.push_back({ label });
+  }
+  double all = 0.0;
+  for (const SolidGroup& group : groups)
+  {
+    all += static_cast<double>(group.size());
+  }
+  double done = 0.0;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+  {
+    const double next = done + static_cast<double>(groups[g].size());
+    imprintGroup(model, groups[g], tolerance * model.size, rows[g], images,
+      progressPart(progress, done / all, next / all));
+    done = next;
+  }
+  model.labels.clear();
+  for (const std::vector<CADFaceLabel>& pieces : images)
+  {
+    model.labels.insert(model.labels.end(), pieces.begin(), pieces.end());
   }
 }
 }

@@ -11,10 +11,11 @@
 namespace hexsweep
 {
 /**
- * The general fuse of all solids: where two touch, their faces are divided along each other's
- * borders and become one. Names and colours go on to the pieces of a face.
+ * The general fuse of each group of solids that can touch: where two touch, their faces are divided
+ * along each other's borders and become one. Names and colours go on to the pieces of a face.
  *
- * Where solids overlap, or the kernel fails, the solids stay as they are and a complaint says so.
+ * Where solids overlap, or the kernel fails, the solids of the group stay as they are and a
+ * complaint says so.
  *
  * @param tolerance of the size of the model: what is nearer touches.
  * @throw Aborted.

@@ -214,6 +214,22 @@ void complainOfFaces(const std::vector<Index>& faces, CADModel& model, const std
     "\" into triangles: the solid is open there. Mend it in the CAD system, or try "
     "HealGeometry.");
 }
+
+vtkModelGeometry::Maker geometryMaker(NumberedSolid solid, const std::string& name)
+{
+  return [solid = std::move(solid), name](std::string& problem) -> vtkModelGeometry::Geometry {
+    try
+    {
+      return callCAD("the geometry of \"" + name + "\" cannot be used",
+        [&] { return std::make_shared<const CADGeometry>(solid); });
+    }
+    catch (const std::exception& error)
+    {
+      problem = error.what();
+      return nullptr;
+    }
+  };
+}
 }
 
 void writeCADModel(CADModel& model, const CADOutputSettings& settings, const Progress& progress,
@@ -275,8 +291,7 @@ void writeCADModel(CADModel& model, const CADOutputSettings& settings, const Pro
     origin.solid = static_cast<Index>(s);
     writeGeometry(numbered[s], binaries[s], origin, fields);
     vtkNew<vtkModelGeometry> geometry;
-    geometry->SetGeometry(callCAD("the geometry of \"" + solid.name + "\" cannot be used",
-      [&] { return std::make_shared<const CADGeometry>(std::move(numbered[s])); }));
+    geometry->SetMaker(geometryMaker(std::move(numbered[s]), solid.name));
     data->GetInformation()->Set(vtkModelGeometry::MODEL_GEOMETRY(), geometry);
     setPart(solids, s, solid.name, data);
     setPart(edges, s, solid.name, linesOf(facets));

@@ -82,6 +82,16 @@ std::set<int> faceIds(vtkPolyData* solid)
   return ids;
 }
 
+std::vector<int> facesOfBoth(vtkCADReader* reader, unsigned int solid, unsigned int other)
+{
+  const std::set<int> first = faceIds(solidOf(reader, solid));
+  const std::set<int> second = faceIds(solidOf(reader, other));
+  std::vector<int> both;
+  std::set_intersection(
+    first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
+  return both;
+}
+
 int openEdges(vtkPolyData* solid)
 {
   vtkNew<vtkFeatureEdges> edges;
@@ -159,10 +169,7 @@ TEST(CADReader, SolidsThatTouchShareFaces)
   const std::set<int> second = faceIds(solidOf(reader, 1));
   EXPECT_EQ(first.size(), 7U); // its top in two
   EXPECT_EQ(second.size(), 6U);
-  std::vector<int> both;
-  std::set_intersection(
-    first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
-  EXPECT_EQ(both.size(), 1U);
+  EXPECT_EQ(facesOfBoth(reader, 0, 1).size(), 1U);
   EXPECT_NEAR(cadmeshes::volumeOf(solidOf(reader, 0)), 200.0, 1e-9);
   EXPECT_NEAR(cadmeshes::volumeOf(solidOf(reader, 1)), 80.0, 1e-9);
 
@@ -184,6 +191,24 @@ TEST(CADReader, SolidsThatOverlapStayAsTheyAreWithAWarning)
   ASSERT_EQ(messages.warnings.size(), 1U);
   EXPECT_NE(messages.warnings.front().find("overlap"), std::string::npos);
   EXPECT_EQ(faceIds(solidOf(reader, 0)).size(), 6U);
+}
+
+TEST(CADReader, SolidsThatOverlapDoNotKeepOthersFromSharingFaces)
+{
+  const std::string file = temporaryFile("overlapping_elsewhere.step");
+  cadparts::writeSTEP(together({ block(0, 0, 0, 10, 10, 2), block(50, 0, 0, 10, 10, 2),
+                        block(3, 3, 1, 4, 4, 5), block(53, 3, 2, 4, 4, 5) }),
+    file);
+  vtkNew<vtkCADReader> reader;
+  const test::Events messages(reader);
+  reader->SetFileName(file);
+  reader->Update();
+  ASSERT_EQ(messages.warnings.size(), 1U);
+  EXPECT_NE(messages.warnings.front().find("overlap"), std::string::npos);
+  EXPECT_EQ(facesOfBoth(reader, 0, 2).size(), 0U);
+  EXPECT_EQ(facesOfBoth(reader, 1, 3).size(), 1U);
+  EXPECT_EQ(faceIds(solidOf(reader, 0)).size(), 6U);
+  EXPECT_EQ(faceIds(solidOf(reader, 1)).size(), 7U);
 }
 
 TEST(CADReader, EdgesKnowTheirFaces)

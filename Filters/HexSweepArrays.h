@@ -73,6 +73,13 @@ constexpr const char* BoundaryPart = "BoundaryPart";
 constexpr const char* HexId = "HexId";
 /// Cells: which of its sides, 1 to 6 in the order of Exodus II.
 constexpr const char* HexSide = "HexSide";
+/// The same of both sides of a quad in an assembly, two components each: the volumes (0: none), the
+/// hexahedra (-1) and their sides (0).
+constexpr const char* VolumeIds = "VolumeIds";
+constexpr const char* HexIds = "HexIds";
+constexpr const char* HexSides = "HexSides";
+/// Points, global ids: the same for points that volumes of an assembly share.
+constexpr const char* GlobalNodeIds = "GlobalNodeIds";
 
 // Side sets and node sets.
 

@@ -118,6 +118,16 @@ void acceptSolids(vtkInformation* portInformation)
   portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
 }
 
+void passSolidFields(vtkDataSet* solid, vtkFieldData* fields)
+{
+  fields->PassData(solid->GetFieldData());
+  for (const char* name : { arrays::CADGeometry, arrays::CADFaceIds, arrays::CADEdgeIds,
+         arrays::CADFile, arrays::CADChecksum, arrays::CADSettings, arrays::CADSolid })
+  {
+    fields->RemoveArray(name);
+  }
+}
+
 SolidPort readSolidPort(vtkInformationVector** inputs, int port, bool withGeometry)
 {
   SolidPort result;

@@ -18,6 +18,7 @@
 #include <vector>
 
 class vtkDataSet;
+class vtkFieldData;
 class vtkInformation;
 class vtkInformationVector;
 
@@ -38,6 +39,9 @@ void acceptSolids(vtkInformation* portInformation);
 
 /// @param withGeometry whether the true surfaces are wanted.
 SolidPort readSolidPort(vtkInformationVector** inputs, int port, bool withGeometry);
+
+/// Hands on the field data of a solid that are for a mesh too: the geometry is the solid's alone.
+void passSolidFields(vtkDataSet* solid, vtkFieldData* fields);
 
 /**
  * Gives bodies their true surfaces.

@@ -17,6 +17,7 @@
 #include "HexSweepFineBody.h"
 #include "HexSweepLinkingReport.h"
 #include "HexSweepRun.h"
+#include "HexSweepSolidPort.h"
 #include "HexSweepSolidQuads.h"
 #include "HexSweepVolumeId.h"
 #include "HexSweepWriter.h"
@@ -194,21 +195,6 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
   return settings.hexes.ensureValid ? makeUnhinderedCage(std::move(input), smpFor(), progress)
                                     : makeSolidCage(input, progress);
 }
-}
-
-namespace
-{
-/// Field data that are for the mesh too: the geometry is the solid's alone.
-void passFieldData(vtkDataSet* solid, vtkUnstructuredGrid* mesh)
-{
-  vtkFieldData* fields = mesh->GetFieldData();
-  fields->PassData(solid->GetFieldData());
-  for (const char* name : { arrays::CADGeometry, arrays::CADFaceIds, arrays::CADEdgeIds,
-         arrays::CADFile, arrays::CADChecksum, arrays::CADSettings, arrays::CADSolid })
-  {
-    fields->RemoveArray(name);
-  }
-}
 
 SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& topology,
   const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
@@ -237,8 +223,8 @@ SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& top
     checkFoundTarget(cage.boundary, topology.targetFaceIds);
   }
 
-  passFieldData(solid.data, hexes);
-  passFieldData(solid.data, boundary);
+  passSolidFields(solid.data, hexes->GetFieldData());
+  passSolidFields(solid.data, boundary->GetFieldData());
   HexOutputSettings hexSettings = settings.hexes;
   hexSettings.reflection = solid.body.solid.reflection;
   const HexOutput output = writeHexes(

@@ -18,7 +18,7 @@ packages=(
   # what the rendering and image modules of that VTK name as their targets
   libfreetype-dev libpng-dev libjpeg-dev libtiff-dev liblz4-dev liblzma-dev libutfcpp-dev
   # the numerics and their tests
-  libeigen3-dev libopenmesh-dev libgtest-dev
+  libeigen3-dev libopenmesh-dev coinor-libcbc-dev libgtest-dev
   # the CAD kernel, and TBB, which its CMake files name
   libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev
   # programs and packages that read what is written, for tests: CalculiX, gmsh, meshio

@@ -23,6 +23,17 @@ ALLOWED = {
     "Hexahedra": ["Common", "Geometry", "Solvers"],
     "Interior": ["Common", "Geometry", "Surfaces", "Solvers", "Linking", "Hexahedra"],
     "Solids": ["Common", "Geometry", "Surfaces", "Solvers", "Linking", "CapQuads", "Interior"],
+    "Assemblies": [
+        "Common",
+        "Geometry",
+        "Surfaces",
+        "Solvers",
+        "Linking",
+        "CapQuads",
+        "Hexahedra",
+        "Interior",
+        "Solids",
+    ],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
 

@@ -124,6 +124,59 @@ std::vector<bool> keptCurves(
   return kept;
 }
 
+/// The curves that are given, every second node of theirs a node of the triangles.
+void takeGivenCurves(const TriangleMesh& cap, const std::vector<GivenCurve>& given,
+  std::vector<CapCurve>& curves, std::vector<std::vector<double>>& divided)
+{
+  for (const GivenCurve& curve : given)
+  {
+    if (curve.fractions.size() % 2 == 0 || curve.fractions.size() < 3 ||
+      static_cast<Index>(curve.fractions.size()) != curve.places.rows())
+    {
+      throw InvalidInput("a curve of the cap has " + std::to_string(curve.fractions.size()) +
+        " given nodes and " + std::to_string(curve.places.rows()) +
+        " places of them. Give an odd number, three at least, and as many places.");
+    }
+    curves.push_back({ curve.points, 0 });
+    const double length = chainOf(cap.points, curves.back()).length();
+    divided.emplace_back();
+    for (std::size_t k = 0; k < curve.fractions.size(); k += 2)
+    {
+      divided.back().push_back(curve.fractions[k] * length);
+    }
+  }
+}
+
+/// Puts the vertices that are left on given curves where these have nodes.
+/// @return the edges between them, each with its given middle; as curveEdges().
+std::vector<CurveEdge> givenEdges(const std::vector<GivenCurve>& given,
+  const std::vector<std::vector<Index>>& vertices, Points& points)
+{
+  std::vector<CurveEdge> edges;
+  for (std::size_t c = 0; c < given.size(); ++c)
+  {
+    const std::size_t nodes = given[c].fractions.size();
+    if (vertices[c].size() != nodes / 2 + 1)
+    {
+      throw InvalidInput("the cap cannot be meshed with " + std::to_string(nodes - 1) +
+        " edges along the curve that begins at " + describe(given[c].places.row(0)) +
+        ": the cap is too narrow there for its size. Set Size to a smaller length.");
+    }
+    for (std::size_t k = 0; k < vertices[c].size(); ++k)
+    {
+      points.row(vertices[c][k]) = given[c].places.row(static_cast<Index>(2 * k));
+      if (k > 0)
+      {
+        edges.push_back({ std::minmax(vertices[c][k - 1], vertices[c][k]),
+          given[c].places.row(static_cast<Index>(2 * k - 1)) });
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const CurveEdge& a, const CurveEdge& b) { return a.ends < b.ends; });
+  return edges;
+}
+
 /// Every second point of the curves to keep is a node of the triangles.
 void divideAtEverySecondPoint(const PointsRef& points, const std::vector<CapCurve>& curves,
   const std::vector<bool>& kept, std::vector<std::vector<double>>& divided)
@@ -151,12 +204,20 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   checkCap(topology, what);
   checkOptions(cap, topology.loops, faceIds, options);
 
-  const std::vector<CapCurve> curves =
-    traceCapCurves(cap, topology.loops, faceIds, options.keep, options.size);
-  const std::vector<bool> kept = keptCurves(curves, options.keepEdges);
-  std::vector<std::vector<double>> divided =
-    divideCapCurves(cap, curves, 2.0 * options.size, options.chordTolerance);
-  divideAtEverySecondPoint(cap.points, curves, kept, divided);
+  std::vector<CapCurve> curves;
+  std::vector<bool> kept;
+  std::vector<std::vector<double>> divided;
+  if (options.given.empty())
+  {
+    curves = traceCapCurves(cap, topology.loops, faceIds, options.keep, options.size);
+    kept = keptCurves(curves, options.keepEdges);
+    divided = divideCapCurves(cap, curves, 2.0 * options.size, options.chordTolerance);
+    divideAtEverySecondPoint(cap.points, curves, kept, divided);
+  }
+  else
+  {
+    takeGivenCurves(cap, options.given, curves, divided);
+  }
   const DividedCap prepared = putNodesOnCurves(cap, curves, divided, options.keep);
   const ParallelFor& threads = options.parallelFor;
   const auto search = std::make_shared<const SurfaceSearch>(cap);
@@ -164,7 +225,10 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   RemeshedSurface remeshed = remeshSurface(prepared.input, surface, TriangleSize * options.size,
     Growth, progressPart(progress, 0.0, 0.5), threads, longestEdges(cap, faceIds, options));
 
-  const std::vector<CurveEdge> onCurves = curveEdges(prepared, remeshed.pointOf, kept);
+  const std::vector<std::vector<Index>> vertices = curveVertices(prepared, remeshed.pointOf);
+  const std::vector<CurveEdge> onCurves = options.given.empty()
+    ? curveEdges(prepared, remeshed.pointOf, kept)
+    : givenEdges(options.given, vertices, remeshed.mesh.points);
   std::vector<std::pair<Index, Index>> keptEdges;
   for (const CurveEdge& edge : onCurves)
   {
@@ -199,6 +263,17 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
     for (const Index i : { edge.ends.first, edge.ends.second, node })
     {
       result.onCurve[static_cast<std::size_t>(i)] = true;
+    }
+  }
+  for (std::size_t c = 0; c < options.given.size(); ++c)
+  {
+    result.givenNodes.push_back({ vertices[c].front() });
+    for (std::size_t k = 1; k < vertices[c].size(); ++k)
+    {
+      const std::pair<Index, Index> ends = std::minmax(vertices[c][k - 1], vertices[c][k]);
+      const auto found = std::lower_bound(subdivided.edges.begin(), subdivided.edges.end(), ends);
+      result.givenNodes.back().push_back(coarse + (found - subdivided.edges.begin()));
+      result.givenNodes.back().push_back(vertices[c][k]);
     }
   }
   std::vector<bool> fixed = result.onCurve;

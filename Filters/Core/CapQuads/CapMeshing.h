@@ -16,6 +16,14 @@
 
 namespace hexsweep
 {
+/// A curve of a cap whose nodes are known, as a mesh beside it has them.
+struct GivenCurve
+{
+  std::vector<Index> points;     ///< of the cap, along its edges; a closed curve repeats its first
+  std::vector<double> fractions; ///< of its length, from 0 to 1, rising: an odd number of nodes
+  Points places; ///< of these nodes: on or near the curve, where the quads have them bit for bit
+};
+
 struct CapQuadOptions
 {
   double size = 0.0; ///< wanted edge length of the quads, > 0, in the cap's length unit
@@ -27,6 +35,9 @@ struct CapQuadOptions
   /// Edges of the cap's boundary that are to be edges of the quads, undivided, as pairs of points
   /// in any order.
   std::vector<std::pair<Index, Index>> keepEdges;
+  /// Not empty: all curves of the cap, its loops and the borders between its faces. They are
+  /// divided as given; `keep`, `keepEdges` and `fans` are to be empty then.
+  std::vector<GivenCurve> given;
   std::vector<CornerFan> fans; ///< nodes of earlier quads of the same cap that want more quads
   ParallelFor parallelFor;     ///< lends threads; the bits do not depend on them
 };
@@ -38,6 +49,8 @@ struct CapQuads
   std::vector<Index> quadOrigin;
   /// Node at each point of CapQuadOptions::keep, with its coordinates exactly.
   std::vector<Index> keptNodes;
+  /// Nodes along each curve of CapQuadOptions::given.
+  std::vector<std::vector<Index>> givenNodes;
   /// Nodes on the boundary and on the borders of faces.
   std::vector<bool> onCurve;
   Index loops = 0;
@@ -62,7 +75,8 @@ struct CapQuads
  * @param faceIds one a triangle: edges between different ids are kept as edges of the quads; empty:
  *                the cap is one face.
  * @throw InvalidInput for a size that is not positive and finite or would take more than 50 million
- *        quads, for ids of points that no triangle uses, and for a cap that checkCap() refuses.
+ *        quads, for ids of points that no triangle uses, for given curves that cannot be kept, and
+ * for a cap that checkCap() refuses.
  * @throw Aborted.
  */
 CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& faceIds,

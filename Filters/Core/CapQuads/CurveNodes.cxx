@@ -156,6 +156,24 @@ DividedCap putNodesOnCurves(const TriangleMesh& cap, const std::vector<CapCurve>
   return prepared;
 }
 
+std::vector<std::vector<Index>> curveVertices(
+  const DividedCap& prepared, const std::vector<Index>& pointOf)
+{
+  std::vector<std::vector<Index>> vertices;
+  for (const std::vector<Index>& curve : prepared.input.curves)
+  {
+    vertices.emplace_back();
+    for (const Index point : curve)
+    {
+      if (pointOf[static_cast<std::size_t>(point)] >= 0)
+      {
+        vertices.back().push_back(pointOf[static_cast<std::size_t>(point)]);
+      }
+    }
+  }
+  return vertices;
+}
+
 std::vector<CurveEdge> curveEdges(
   const DividedCap& prepared, const std::vector<Index>& pointOf, const std::vector<bool>& kept)
 {

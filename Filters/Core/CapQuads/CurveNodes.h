@@ -33,6 +33,10 @@ struct DividedCap
 DividedCap putNodesOnCurves(const TriangleMesh& cap, const std::vector<CapCurve>& curves,
   const std::vector<std::vector<double>>& divided, const std::vector<Index>& keep);
 
+/// The vertices of the remeshed triangles along each curve, from its first point to its last.
+std::vector<std::vector<Index>> curveVertices(
+  const DividedCap& prepared, const std::vector<Index>& pointOf);
+
 /// An edge of the remeshed triangles on a curve, and the place of the node that halves it.
 struct CurveEdge
 {

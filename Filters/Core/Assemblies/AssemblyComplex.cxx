@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Assemblies/AssemblyComplex.h"
+
+#include "Core/Common/Describe.h"
+#include "Core/Common/Errors.h"
+#include "Core/Common/StandardIndex.h"
+#include "Core/Surfaces/FaceSides.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace hexsweep
+{
+namespace
+{
+using Place = std::array<double, 3>;
+using EdgeEnds = std::pair<Index, Index>; // lower one first
+
+/// Cosine of a turn that makes a point of a curve a corner.
+const double CurveCornerCosine = std::cos(30.0 * Pi / 180.0);
+/// Oblique to everything that engineers draw along axes.
+const Eigen::RowVector3d StartDirection(0.7548776662466927, 0.5698402909980532, 0.3247179572447460);
+
+/// Numbers the places of points, each once.
+class PlaceNumbers
+{
+public:
+  Index numberOf(const Eigen::RowVector3d& place)
+  {
+    const auto [known, isNew] = this->Numbers.try_emplace(
+      Place{ place[0], place[1], place[2] }, static_cast<Index>(this->Numbers.size()));
+    if (isNew)
+    {
+      this->Places.push_back(place);
+    }
+    return known->second;
+  }
+
+  Points points() const
+  {
+    Points result(static_cast<Index>(this->Places.size()), 3);
+    for (std::size_t i = 0; i < this->Places.size(); ++i)
+    {
+      result.row(static_cast<Index>(i)) = this->Places[i];
+    }
+    return result;
+  }
+
+private:
+  std::map<Place, Index> Numbers;
+  std::vector<Eigen::RowVector3d> Places;
+};
+
+/// The corners of a triangle from the lowest one on: the same for all that turn it round.
+std::array<Index, 3> fromLowest(std::array<Index, 3> corners)
+{
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+std::string nameOfFace(Index id)
+{
+  return "face " + std::to_string(id);
+}
+
+/// Collects faces and triangles, volume after volume.
+void addSolids(const std::vector<SolidSurface>& solids, AssemblyComplex& complex)
+{
+  PlaceNumbers places;
+  std::map<Index, Index> rowOfFace;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::set<std::array<Index, 3>>> again; // triangles that the second volume has
+  for (std::size_t v = 0; v < solids.size(); ++v)
+  {
+    const SolidSurface& solid = solids[v];
+    std::set<Index> own;
+    for (Index t = 0; t < solid.triangles.rows(); ++t)
+    {
+      std::array<Index, 3> corners{};
+      for (int c = 0; c < 3; ++c)
+      {
+        corners[static_cast<std::size_t>(c)] =
+          places.numberOf(solid.points.row(solid.triangles(t, c)));
+      }
+      const Index id = solid.faceIds[at(t)];
+      const auto [known, isNew] =
+        rowOfFace.try_emplace(id, static_cast<Index>(complex.faces.size()));
+      if (isNew)
+      {
+        complex.faces.emplace_back();
+        complex.faces.back().id = id;
+        again.emplace_back();
+      }
+      ComplexFace& face = complex.faces[at(known->second)];
+      if (own.insert(known->second).second)
+      {
+        face.volumes.push_back(static_cast<Index>(v));
+        if (face.volumes.size() > 2)
+        {
+          throw InvalidInput(nameOfFace(id) + " at " +
+            describe(solid.points.row(solid.triangles(t, 0))) +
+            " belongs to more than two volumes. Check that no body is there twice.");
+        }
+      }
+      if (face.volumes.front() == static_cast<Index>(v))
+      {
+        face.triangles.push_back(static_cast<Index>(triangles.size()));
+        complex.faceOf.push_back(known->second);
+        triangles.push_back(corners);
+      }
+      else
+      {
+        std::swap(corners[1], corners[2]);
+        again[at(known->second)].insert(fromLowest(corners));
+      }
+    }
+    complex.volumes.push_back({ { own.begin(), own.end() } });
+  }
+  complex.points = places.points();
+  complex.triangles.resize(static_cast<Index>(triangles.size()), 3);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    complex.triangles.row(static_cast<Index>(t)) << triangles[t][0], triangles[t][1],
+      triangles[t][2];
+  }
+  for (std::size_t f = 0; f < complex.faces.size(); ++f)
+  {
+    const ComplexFace& face = complex.faces[f];
+    if (face.volumes.size() < 2)
+    {
+      continue;
+    }
+    const bool same = again[f].size() == face.triangles.size() &&
+      std::all_of(face.triangles.begin(), face.triangles.end(),
+        [&](Index t) { return again[f].count(fromLowest(triangles[at(t)])) > 0; });
+    if (!same)
+    {
+      throw InvalidInput(nameOfFace(face.id) +
+        " has other triangles in one volume than in the other. Volumes that touch must share the "
+        "face with its triangles: imprint and merge them, as vtkCADReader does.");
+    }
+  }
+}
+
+/// The edges at which faces meet, with these faces.
+std::map<EdgeEnds, std::vector<Index>> borderEdges(const AssemblyComplex& complex)
+{
+  std::map<EdgeEnds, std::vector<Index>> borders;
+  const std::vector<FaceSide> sides = sortedSides(complex.triangles, complex.points.rows());
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    std::vector<Index> faces;
+    for (std::size_t s = first; s < last; ++s)
+    {
+      faces.push_back(complex.faceOf[at(sides[s].face)]);
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    if (faces.size() > 1)
+    {
+      borders[{ sides[first].low, sides[first].high }] = std::move(faces);
+    }
+  });
+  return borders;
+}
+
+/// Follows border edges into curves.
+class CurveTracer
+{
+public:
+  explicit CurveTracer(AssemblyComplex& complex)
+    : Complex(complex)
+    , Borders(borderEdges(complex))
+  {
+    for (const auto& [ends, faces] : this->Borders)
+    {
+      this->Beside[ends.first].push_back(ends.second);
+      this->Beside[ends.second].push_back(ends.first);
+    }
+  }
+
+  void trace()
+  {
+    for (const auto& [point, others] : this->Beside)
+    {
+      if (this->isVertex(point))
+      {
+        for (const Index other : others)
+        {
+          this->follow(point, other);
+        }
+      }
+    }
+    // What is left is closed and smooth.
+    for (const auto& [ends, faces] : this->Borders)
+    {
+      if (this->Done.count(ends) == 0)
+      {
+        this->follow(ends.first, ends.second);
+        this->turnToStart(this->Complex.curves.back().points);
+      }
+    }
+  }
+
+private:
+  static EdgeEnds edge(Index a, Index b) { return std::minmax(a, b); }
+
+  bool isVertex(Index point) const
+  {
+    const std::vector<Index>& others = this->Beside.at(point);
+    if (others.size() != 2 ||
+      this->Borders.at(edge(point, others[0])) != this->Borders.at(edge(point, others[1])))
+    {
+      return true;
+    }
+    const Points& points = this->Complex.points;
+    const Eigen::RowVector3d in = points.row(point) - points.row(others[0]);
+    const Eigen::RowVector3d out = points.row(others[1]) - points.row(point);
+    return in.dot(out) < CurveCornerCosine * in.norm() * out.norm();
+  }
+
+  void follow(Index from, Index to)
+  {
+    if (this->Done.count(edge(from, to)) > 0)
+    {
+      return;
+    }
+    ComplexCurve curve;
+    curve.points = { from, to };
+    curve.faces = this->Borders.at(edge(from, to));
+    this->Done.insert(edge(from, to));
+    while (curve.points.back() != from && !this->isVertex(curve.points.back()))
+    {
+      const Index here = curve.points.back();
+      const std::vector<Index>& others = this->Beside.at(here);
+      const Index next = others[0] == curve.points[curve.points.size() - 2] ? others[1] : others[0];
+      this->Done.insert(edge(here, next));
+      curve.points.push_back(next);
+    }
+    this->Complex.curves.push_back(std::move(curve));
+  }
+
+  void turnToStart(std::vector<Index>& closed) const
+  {
+    closed.pop_back();
+    const auto far = std::max_element(closed.begin(), closed.end(), [&](Index a, Index b) {
+      return StartDirection.dot(this->Complex.points.row(a)) <
+        StartDirection.dot(this->Complex.points.row(b));
+    });
+    std::rotate(closed.begin(), far, closed.end());
+    closed.push_back(closed.front());
+  }
+
+  AssemblyComplex& Complex;
+  std::map<EdgeEnds, std::vector<Index>> Borders;
+  std::map<Index, std::vector<Index>> Beside;
+  std::set<EdgeEnds> Done;
+};
+
+/// Finds the loops of each face as chains of curves.
+void traceFaceLoops(AssemblyComplex& complex)
+{
+  struct Step
+  {
+    Index curve;
+    bool reversed;
+  };
+  // By directed edge: the curve that begins with it.
+  std::map<EdgeEnds, Step> begins;
+  std::map<EdgeEnds, Step> steps;
+  for (std::size_t c = 0; c < complex.curves.size(); ++c)
+  {
+    const std::vector<Index>& points = complex.curves[c].points;
+    const Index row = static_cast<Index>(c);
+    begins[{ points[0], points[1] }] = { row, false };
+    begins[{ points[points.size() - 1], points[points.size() - 2] }] = { row, true };
+  }
+  for (ComplexFace& face : complex.faces)
+  {
+    std::map<EdgeEnds, bool> own;
+    for (const Index t : face.triangles)
+    {
+      for (Index c = 0; c < 3; ++c)
+      {
+        own[{ complex.triangles(t, c), complex.triangles(t, (c + 1) % 3) }] = true;
+      }
+    }
+    // Uses of curves by their first point.
+    std::multimap<Index, CurveUse> uses;
+    for (const auto& [edge, there] : own)
+    {
+      const auto begin = begins.find(edge);
+      if (own.count({ edge.second, edge.first }) == 0 && begin != begins.end())
+      {
+        uses.emplace(edge.first, CurveUse{ begin->second.curve, begin->second.reversed });
+      }
+    }
+    while (!uses.empty())
+    {
+      const Index start = uses.begin()->first;
+      Index here = start;
+      face.loops.emplace_back();
+      do
+      {
+        const auto next = uses.find(here);
+        if (next == uses.end() || uses.count(here) > 1)
+        {
+          throw InvalidInput("the border of " + nameOfFace(face.id) + " touches itself at " +
+            describe(complex.points.row(here)) + ". Cut the face there in the CAD system.");
+        }
+        const CurveUse use = next->second;
+        uses.erase(next);
+        face.loops.back().push_back(use);
+        const std::vector<Index>& points = complex.curves[at(use.curve)].points;
+        here = use.reversed ? points.front() : points.back();
+      } while (here != start);
+    }
+  }
+}
+}
+
+AssemblyComplex makeAssemblyComplex(const std::vector<SolidSurface>& solids)
+{
+  AssemblyComplex complex;
+  addSolids(solids, complex);
+  traceCurves(complex);
+  return complex;
+}
+
+void traceCurves(AssemblyComplex& complex)
+{
+  complex.curves.clear();
+  for (ComplexFace& face : complex.faces)
+  {
+    face.loops.clear();
+  }
+  CurveTracer(complex).trace();
+  traceFaceLoops(complex);
+}
+
+std::vector<Index> rowsOfFaces(
+  const AssemblyComplex& complex, Index volume, const std::vector<Index>& ids)
+{
+  std::vector<Index> rows;
+  for (const Index face : complex.volumes[at(volume)].faces)
+  {
+    if (std::find(ids.begin(), ids.end(), complex.faces[at(face)].id) != ids.end())
+    {
+      rows.push_back(face);
+    }
+  }
+  return rows;
+}
+
+std::vector<Index> idsOfFaces(const AssemblyComplex& complex, const std::vector<Index>& faces)
+{
+  std::set<Index> ids;
+  for (const Index face : faces)
+  {
+    ids.insert(complex.faces[at(face)].id);
+  }
+  return { ids.begin(), ids.end() };
+}
+
+std::vector<Index> trianglesOfFaces(const AssemblyComplex& complex, const std::vector<Index>& faces)
+{
+  std::vector<Index> rows;
+  for (const Index face : faces)
+  {
+    const std::vector<Index>& own = complex.faces[at(face)].triangles;
+    rows.insert(rows.end(), own.begin(), own.end());
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+SurfacePart partOfVolume(
+  const AssemblyComplex& complex, Index volume, const std::vector<Index>& triangles)
+{
+  SurfacePart part = surfacePart(complex.points, complex.triangles, triangles);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (complex.faces[at(complex.faceOf[at(triangles[t])])].volumes.front() != volume)
+    {
+      std::swap(part.mesh.triangles(static_cast<Index>(t), 1),
+        part.mesh.triangles(static_cast<Index>(t), 2));
+    }
+  }
+  return part;
+}
+
+TriangleMesh meshOfFaces(
+  const AssemblyComplex& complex, Index volume, const std::vector<Index>& faces)
+{
+  return partOfVolume(complex, volume, trianglesOfFaces(complex, faces)).mesh;
+}
+
+Points placesOf(const AssemblyComplex& complex, const ComplexCurve& curve)
+{
+  Points places(static_cast<Index>(curve.points.size()), 3);
+  for (std::size_t k = 0; k < curve.points.size(); ++k)
+  {
+    places.row(static_cast<Index>(k)) = complex.points.row(curve.points[k]);
+  }
+  return places;
+}
+
+double lengthOf(const AssemblyComplex& complex, const ComplexCurve& curve)
+{
+  double length = 0.0;
+  for (std::size_t k = 1; k < curve.points.size(); ++k)
+  {
+    length +=
+      (complex.points.row(curve.points[k]) - complex.points.row(curve.points[k - 1])).norm();
+  }
+  return length;
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Assemblies/AssemblyGeometry.h"
+
+#include "Core/Common/StandardIndex.h"
+
+#include <utility>
+
+namespace hexsweep
+{
+AssemblyGeometry::AssemblyGeometry(const AssemblyComplex& complex, Solids solids)
+  : Complex(complex)
+  , OfVolumes(std::move(solids))
+{
+}
+
+const ModelGeometry* AssemblyGeometry::of(Index volume) const
+{
+  return this->OfVolumes.empty() ? nullptr : this->OfVolumes[at(volume)].get();
+}
+
+std::optional<Eigen::RowVector3d> AssemblyGeometry::onFace(
+  Index face, const Eigen::RowVector3d& place) const
+{
+  const ComplexFace& own = this->Complex.faces[at(face)];
+  const ModelGeometry* const geometry = this->of(own.volumes.front());
+  return geometry ? geometry->closestOnFace(own.id, place) : std::nullopt;
+}
+
+std::optional<Eigen::RowVector3d> AssemblyGeometry::onCurve(
+  Index curve, const Eigen::RowVector3d& place) const
+{
+  std::optional<Eigen::RowVector3d> best;
+  const std::vector<Index>& faces = this->Complex.curves[at(curve)].faces;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < faces.size(); ++j)
+    {
+      const ComplexFace& one = this->Complex.faces[at(faces[i])];
+      const ComplexFace& other = this->Complex.faces[at(faces[j])];
+      if (one.id == other.id)
+      {
+        // The face was cut: the curve lies on it and on no CAD edge.
+        best = this->onFace(faces[i], place);
+        continue;
+      }
+      for (const Index volume : one.volumes)
+      {
+        const ModelGeometry* const geometry = this->of(volume);
+        if (!geometry)
+        {
+          continue;
+        }
+        for (const Index edge : geometry->edgesBetween(one.id, other.id))
+        {
+          const std::optional<Eigen::RowVector3d> found = geometry->closestOnEdge(edge, place);
+          if (found && (!best || (*found - place).norm() < (*best - place).norm()))
+          {
+            best = found;
+          }
+        }
+      }
+    }
+  }
+  return best;
+}
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief The number of edges on each curve of an assembly, from sizes and from what sweeps ask.
+ */
+#ifndef hexsweep_AssemblyIntervals_h
+#define hexsweep_AssemblyIntervals_h
+
+#include "Core/Assemblies/AssemblyPlan.h"
+
+namespace hexsweep
+{
+struct AssemblyIntervals
+{
+  std::vector<Index> curves;     ///< edges, one a curve
+  std::vector<Index> tubeLayers; ///< one a face: layers of a side face that is a tube; else 0
+  std::vector<Index> layers;     ///< one a volume
+};
+
+/**
+ * Opposite chains of side faces have as many edges; all ways from the source to the target cap of a
+ * volume have as many layers; curves round caps have even numbers, because quads of caps come from
+ * triangles by halving their edges.
+ *
+ * @param size wanted length of edges, > 0.
+ * @throw InvalidInput as solveIntervals(), with the faces and volumes that contradict each other.
+ */
+AssemblyIntervals assemblyIntervals(
+  const AssemblyComplex& complex, const AssemblyPlan& plan, double size);
+}
+
+#endif

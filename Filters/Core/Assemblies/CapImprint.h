@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Borders between the faces of a target cap, carried back to the source cap, so that quads
+ * made there have edges along them.
+ */
+#ifndef hexsweep_CapImprint_h
+#define hexsweep_CapImprint_h
+
+#include "Core/Assemblies/AssemblyPlan.h"
+#include "Core/Geometry/AffineMap.h"
+
+#include <optional>
+
+namespace hexsweep
+{
+/// The affine map from the source to the target cap, see findAffineSweep(). @return nothing where
+/// there is none.
+std::optional<AffineMap> capMapOf(
+  const AssemblyComplex& complex, const SweepLayout& layout, const SolidSurface& solid);
+
+/**
+ * Cuts source faces along the images of the borders of their targets, from the ends of the stacks
+ * of volumes back to their beginnings: each cut of a source cuts the target of the volume before.
+ * Then lays out all sweeps anew; those that needed it get SweepLayout::carried.
+ *
+ * @param complex faces are cut: parts of a face keep its id; triangles of neighbours are split
+ * where a border ends on their curve.
+ * @param solids  one a volume, as makeAssemblyComplex() had them.
+ * @param size    wanted length of edges: borders nearer to each other than a fiftieth become one.
+ * @throw InvalidInput naming the volume and faces where a border has no place on the source.
+ */
+void imprintTargets(const std::vector<const SolidSurface*>& solids, double size,
+  AssemblyComplex& complex, AssemblyPlan& plan);
+}
+
+#endif

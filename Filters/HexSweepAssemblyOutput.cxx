@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexSweepAssemblyOutput.h"
+
+#include "Core/Assemblies/AssemblyBoundary.h"
+#include "HexSweepArrays.h"
+#include "HexSweepQualityArrays.h"
+#include "HexSweepWriter.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSet.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+
+namespace hexsweep
+{
+namespace
+{
+void setQualities(const std::vector<HexQuality>& qualities, vtkUnstructuredGrid* grid)
+{
+  QualityArrays arrays(static_cast<vtkIdType>(qualities.size()));
+  for (std::size_t h = 0; h < qualities.size(); ++h)
+  {
+    arrays.set(static_cast<vtkIdType>(h), qualities[h]);
+  }
+  arrays.addTo(grid->GetCellData());
+  grid->GetCellData()->SetActiveScalars(arrays::ScaledJacobian);
+  addQualityReport(grid->GetFieldData(), summarize(qualities));
+}
+
+void setPoints(const Points& points, vtkUnstructuredGrid* grid)
+{
+  grid->SetPoints(
+    vtkSmartPointer<vtkPoints>::Take(newPoints(points, vtkAlgorithm::DEFAULT_PRECISION)));
+}
+
+void addReports(const AssemblySweep& sweep, vtkUnstructuredGrid* grid)
+{
+  addReport(grid->GetFieldData(), reports::Size, sweep.size);
+  std::vector<std::string> names;
+  std::vector<double> seconds;
+  for (const Stage& stage : sweep.stages)
+  {
+    names.push_back(stage.name);
+    seconds.push_back(stage.seconds);
+  }
+  addReport(grid->GetFieldData(), reports::Stages, names);
+  addReport(grid->GetFieldData(), reports::Seconds, seconds);
+}
+
+vtkSmartPointer<vtkIdTypeArray> globalIds(const char* name, const std::vector<Index>& ids)
+{
+  vtkSmartPointer<vtkIdTypeArray> array = vtkSmartPointer<vtkIdTypeArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), ids[i]);
+  }
+  return array;
+}
+
+/// Places of a volume's points: those that volumes share have the same bits in all of them.
+Points placesOf(const AssemblySweep& sweep, const SweptVolume& volume)
+{
+  Points places(static_cast<Index>(volume.nodes.size()), 3);
+  for (std::size_t i = 0; i < volume.nodes.size(); ++i)
+  {
+    places.row(static_cast<Index>(i)) = sweep.nodes.row(volume.nodes[i]);
+  }
+  return places;
+}
+
+void addGrid(
+  const std::string& name, vtkUnstructuredGrid* grid, vtkPartitionedDataSetCollection* output)
+{
+  const unsigned int place = output->GetNumberOfPartitionedDataSets();
+  vtkNew<vtkPartitionedDataSet> parts;
+  parts->SetPartition(0, grid);
+  output->SetPartitionedDataSet(place, parts);
+  output->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> volumeGrid(
+  const AssemblySweep& sweep, std::size_t v, const VolumeLabels& labels, vtkFieldData* fields)
+{
+  const SweptVolume& volume = sweep.volumes[v];
+  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->GetFieldData()->PassData(fields);
+  grid->GetFieldData()->RemoveArray(arrays::VolumeNames);
+  vtkNew<vtkStringArray> name;
+  name->SetName(arrays::VolumeName);
+  name->InsertNextValue(labels.names[v]);
+  grid->GetFieldData()->AddArray(name);
+  if (!volume.problem.empty())
+  {
+    return grid;
+  }
+  setPoints(placesOf(sweep, volume), grid);
+  setCells(grid, volume.hexes.hexes, VTK_HEXAHEDRON);
+  grid->GetPointData()->SetGlobalIds(globalIds(arrays::GlobalNodeIds, volume.nodes));
+  addIds(grid->GetCellData(), arrays::VolumeId,
+    std::vector<Index>(volume.hexes.qualities.size(), labels.ids[v]));
+  setQualities(volume.hexes.qualities, grid);
+  addReport(grid->GetFieldData(), reports::Method, volume.hexes.method);
+  addReports(sweep, grid);
+  return grid;
+}
+
+/// Two ids a tuple.
+class PairArray
+{
+public:
+  explicit PairArray(const char* name)
+  {
+    this->Ids->SetName(name);
+    this->Ids->SetNumberOfComponents(2);
+  }
+  void add(const std::array<Index, 2>& pair)
+  {
+    this->Ids->InsertNextValue(pair[0]);
+    this->Ids->InsertNextValue(pair[1]);
+  }
+  vtkIdTypeArray* array() const { return this->Ids; }
+
+private:
+  vtkNew<vtkIdTypeArray> Ids;
+};
+
+/// What a face is to a volume: 0 source, 1 target, 2 side.
+unsigned char partOf(const AssemblySweep& sweep, Index volume, Index face)
+{
+  const SweepLayout& layout = sweep.plan.sweeps[static_cast<std::size_t>(volume)];
+  const auto has = [face](const std::vector<Index>& faces) {
+    return std::binary_search(faces.begin(), faces.end(), face);
+  };
+  return has(layout.sources) ? 0 : has(layout.targets) ? 1 : 2;
+}
+
+/// The points of the merged mesh: nodes of faces whose volumes could not be filled are none.
+struct MergedPoints
+{
+  std::vector<Index> pointOf; ///< one a node; -1: none
+  std::vector<Index> nodes;   ///< one a point
+};
+
+MergedPoints mergedPoints(const AssemblySweep& sweep)
+{
+  MergedPoints merged;
+  merged.pointOf.assign(static_cast<std::size_t>(sweep.nodes.rows()), -1);
+  for (const SweptVolume& volume : sweep.volumes)
+  {
+    for (const Index node : volume.nodes)
+    {
+      Index& point = merged.pointOf[static_cast<std::size_t>(node)];
+      if (point < 0)
+      {
+        point = static_cast<Index>(merged.nodes.size());
+        merged.nodes.push_back(node);
+      }
+    }
+  }
+  return merged;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
+  const AssemblySweep& sweep, const VolumeLabels& labels, vtkFieldData* fields)
+{
+  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->GetFieldData()->PassData(fields);
+  Index count = 0;
+  for (const SweptVolume& volume : sweep.volumes)
+  {
+    count += volume.hexes.hexes.rows();
+  }
+  Hexes hexes(count, 8);
+  std::vector<Index> volumeIds;
+  std::vector<HexQuality> qualities;
+  std::vector<std::string> methods;
+  Index row = 0;
+  const MergedPoints merged = mergedPoints(sweep);
+  for (std::size_t v = 0; v < sweep.volumes.size(); ++v)
+  {
+    const SweptVolume& volume = sweep.volumes[v];
+    for (Index h = 0; h < volume.hexes.hexes.rows(); ++h, ++row)
+    {
+      for (Index c = 0; c < 8; ++c)
+      {
+        const Index node = volume.nodes[static_cast<std::size_t>(volume.hexes.hexes(h, c))];
+        hexes(row, c) = merged.pointOf[static_cast<std::size_t>(node)];
+      }
+      volumeIds.push_back(labels.ids[v]);
+    }
+    qualities.insert(qualities.end(), volume.hexes.qualities.begin(), volume.hexes.qualities.end());
+    methods.push_back(volume.hexes.method);
+  }
+  Points places(static_cast<Index>(merged.nodes.size()), 3);
+  for (std::size_t i = 0; i < merged.nodes.size(); ++i)
+  {
+    places.row(static_cast<Index>(i)) = sweep.nodes.row(merged.nodes[i]);
+  }
+  setPoints(places, grid);
+  setCells(grid, hexes, VTK_HEXAHEDRON);
+  grid->GetPointData()->SetGlobalIds(globalIds(arrays::GlobalNodeIds, merged.nodes));
+  addIds(grid->GetCellData(), arrays::VolumeId, volumeIds);
+  setQualities(qualities, grid);
+  addReport(grid->GetFieldData(), reports::Method, methods);
+  addReports(sweep, grid);
+  return grid;
+}
+}
+
+void writeAssembly(const AssemblySweep& sweep, const VolumeLabels& labels, bool merged,
+  vtkFieldData* fields, vtkPartitionedDataSetCollection* output)
+{
+  if (merged)
+  {
+    addGrid("Assembly", mergedGrid(sweep, labels, fields), output);
+    return;
+  }
+  for (std::size_t v = 0; v < sweep.volumes.size(); ++v)
+  {
+    addGrid(labels.names[v], volumeGrid(sweep, v, labels, fields), output);
+  }
+}
+
+Index writeAssemblyBoundary(
+  const AssemblySweep& sweep, const VolumeLabels& labels, vtkUnstructuredGrid* output)
+{
+  std::vector<Index> firstHex;
+  Index hexes = 0;
+  for (const SweptVolume& volume : sweep.volumes)
+  {
+    firstHex.push_back(hexes);
+    hexes += volume.hexes.hexes.rows();
+  }
+  const MergedPoints merged = mergedPoints(sweep);
+  std::vector<Index> pointOf(static_cast<std::size_t>(sweep.boundary.nodes.size()), -1);
+  std::vector<Index> nodes;
+  std::vector<Index> hexPoints;
+  std::vector<std::array<Index, 4>> quads;
+  std::vector<Index> faceIds;
+  std::vector<Index> hexIds;
+  vtkNew<vtkUnsignedCharArray> sides;
+  sides->SetName(arrays::HexSide);
+  vtkNew<vtkUnsignedCharArray> parts;
+  parts->SetName(arrays::BoundaryPart);
+  PairArray volumePairs(arrays::VolumeIds);
+  PairArray hexPairs(arrays::HexIds);
+  PairArray sidePairs(arrays::HexSides);
+  Index missing = 0;
+  for (const AssemblyQuad& quad : assemblyBoundary(sweep))
+  {
+    const ComplexFace& face = sweep.complex.faces[static_cast<std::size_t>(quad.face)];
+    std::array<Index, 2> volumes{ 0, 0 };
+    std::array<Index, 2> hexNumbers{ -1, -1 };
+    for (std::size_t s = 0; s < face.volumes.size(); ++s)
+    {
+      const HexAtQuad& hex = quad.hexes[s];
+      missing += hex.volume < 0 ? 1 : 0;
+      volumes[s] = labels.ids[static_cast<std::size_t>(face.volumes[s])];
+      hexNumbers[s] =
+        hex.volume < 0 ? -1 : firstHex[static_cast<std::size_t>(hex.volume)] + hex.hex;
+    }
+    const std::size_t own = quad.hexes[0].volume >= 0 ? 0 : 1;
+    if (quad.hexes[own].volume < 0)
+    {
+      continue;
+    }
+    quads.emplace_back();
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      Index& point = pointOf[static_cast<std::size_t>(quad.nodes[c])];
+      if (point < 0)
+      {
+        point = static_cast<Index>(nodes.size());
+        nodes.push_back(quad.nodes[c]);
+        hexPoints.push_back(merged.pointOf[static_cast<std::size_t>(quad.nodes[c])]);
+      }
+      quads.back()[c] = point;
+    }
+    faceIds.push_back(face.id);
+    hexIds.push_back(hexNumbers[own]);
+    sides->InsertNextValue(static_cast<unsigned char>(quad.hexes[own].side));
+    parts->InsertNextValue(partOf(sweep, face.volumes[own], quad.face));
+    volumePairs.add(volumes);
+    hexPairs.add(hexNumbers);
+    sidePairs.add({ quad.hexes[0].side, quad.hexes[1].side });
+  }
+  Points places(static_cast<Index>(nodes.size()), 3);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    places.row(static_cast<Index>(i)) = sweep.boundary.nodes[nodes[i]];
+  }
+  setPoints(places, output);
+  setCells(output,
+    Eigen::Map<const Quads>(
+      quads.empty() ? nullptr : quads.front().data(), static_cast<Index>(quads.size()), 4),
+    VTK_QUAD);
+  output->GetPointData()->SetGlobalIds(globalIds(arrays::GlobalNodeIds, nodes));
+  addIds(output->GetPointData(), arrays::HexPointIds, hexPoints);
+  vtkCellData* cellData = output->GetCellData();
+  addIds(cellData, arrays::BoundaryId, faceIds);
+  addIds(cellData, arrays::HexId, hexIds);
+  cellData->AddArray(sides);
+  cellData->AddArray(parts);
+  cellData->AddArray(volumePairs.array());
+  cellData->AddArray(hexPairs.array());
+  cellData->AddArray(sidePairs.array());
+  cellData->SetActiveScalars(arrays::BoundaryId);
+  return missing;
+}
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAssemblySweep.h"
+
+#include "Core/Geometry/Reflection.h"
+#include "HexSweepArrays.h"
+#include "HexSweepAssemblyOutput.h"
+#include "HexSweepBodies.h"
+#include "HexSweepRun.h"
+#include "HexSweepSolidPort.h"
+
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <utility>
+
+vtkStandardNewMacro(vtkAssemblySweep);
+
+using namespace hexsweep;
+
+namespace
+{
+/// The surface of a body where it was given.
+SolidSurface givenSurface(ReadBody& body)
+{
+  SolidSurface surface = std::move(body.surface);
+  surface.points = reflected(std::move(surface.points), body.solid.reflection);
+  if (body.solid.reflection.turnsOver())
+  {
+    surface.triangles.col(1).swap(surface.triangles.col(2));
+  }
+  return surface;
+}
+
+std::string nameOfBody(const ReadBody& body, vtkStringArray* names)
+{
+  return names && body.volumeId >= 0 && body.volumeId < names->GetNumberOfValues()
+    ? std::string(names->GetValue(body.volumeId))
+    : std::string();
+}
+
+std::vector<Index> idsOf(const std::map<vtkIdType, std::vector<vtkIdType>>& named, Index volumeId)
+{
+  const auto found = named.find(volumeId);
+  return found == named.end() ? std::vector<Index>()
+                              : std::vector<Index>(found->second.begin(), found->second.end());
+}
+}
+
+//------------------------------------------------------------------------------
+vtkAssemblySweep::vtkAssemblySweep()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkAssemblySweep::FillInputPortInformation(int, vtkInformation* info)
+{
+  acceptSolids(info);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkAssemblySweep::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    port == 0 ? "vtkPartitionedDataSetCollection" : "vtkUnstructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkAssemblySweep::AddVolumeSource(vtkIdType volumeId, vtkIdType faceId)
+{
+  this->Sources[volumeId].push_back(faceId);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkAssemblySweep::AddVolumeTarget(vtkIdType volumeId, vtkIdType faceId)
+{
+  this->Targets[volumeId].push_back(faceId);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkAssemblySweep::RemoveAllVolumeSources()
+{
+  this->Sources.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkAssemblySweep::RemoveAllVolumeTargets()
+{
+  this->Targets.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkAssemblySweep::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return runFilter(this, outputs, [&] { this->Execute(inputs, outputs); });
+}
+
+//------------------------------------------------------------------------------
+void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const SolidPort port = readSolidPort(inputs, 0, this->SnapToGeometry);
+  if (isIdleRank(outputs, { { port.data, "solid" } }))
+  {
+    return;
+  }
+  for (const std::string& problem : port.problems)
+  {
+    vtkWarningMacro(<< problem);
+  }
+  std::vector<ReadBody> bodies = readBodies(
+    port.data, chosenArray(this), solidOptions(this->MatchTolerance, this->FeatureAngle));
+  checkAreSolids(bodies);
+  auto* names =
+    vtkStringArray::SafeDownCast(port.data->GetFieldData()->GetAbstractArray(arrays::VolumeNames));
+  std::vector<AssemblyVolume> volumes;
+  VolumeLabels labels;
+  for (ReadBody& body : bodies)
+  {
+    AssemblyVolume volume;
+    volume.surface = givenSurface(body);
+    const auto geometry = port.geometries.find(body.volumeId);
+    volume.geometry = geometry == port.geometries.end() ? nullptr : geometry->second;
+    const std::string name = nameOfBody(body, names);
+    labels.ids.push_back(std::max<Index>(1, body.volumeId));
+    labels.names.push_back(name.empty() ? "Volume " + std::to_string(labels.ids.back()) : name);
+    volume.name = "volume " + std::to_string(labels.ids.back()) +
+      (name.empty() ? std::string() : " (\"" + name + "\")");
+    volume.named = { idsOf(this->Sources, body.volumeId), idsOf(this->Targets, body.volumeId) };
+    volumes.push_back(std::move(volume));
+  }
+  AssemblySettings settings;
+  settings.size = this->Size;
+  settings.parallelFor = smpFor();
+  const AssemblySweep sweep = sweepAssembly(volumes, settings, pipelineProgress(this, 0.05, 0.95));
+  for (std::size_t v = 0; v < volumes.size(); ++v)
+  {
+    if (!sweep.volumes[v].problem.empty())
+    {
+      vtkWarningMacro(<< volumes[v].name << " has no hexahedra: " << sweep.volumes[v].problem);
+    }
+  }
+  vtkNew<vtkFieldData> fields;
+  passSolidFields(port.data, fields);
+  writeAssembly(
+    sweep, labels, this->Merged, fields, vtkPartitionedDataSetCollection::GetData(outputs, 0));
+  writeAssemblyBoundary(sweep, labels, vtkUnstructuredGrid::GetData(outputs, 1));
+}
+
+//------------------------------------------------------------------------------
+void vtkAssemblySweep::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const auto& named) {
+    os << indent << name << ":";
+    for (const auto& [volume, faces] : named)
+    {
+      os << " " << volume << ":";
+      for (const vtkIdType face : faces)
+      {
+        os << " " << face;
+      }
+    }
+    os << "\n";
+  };
+  print("VolumeSources", this->Sources);
+  print("VolumeTargets", this->Targets);
+  os << indent << "Size: " << this->Size << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";
+  os << indent << "Merged: " << (this->Merged ? "On" : "Off") << "\n";
+  os << indent << "SnapToGeometry: " << (this->SnapToGeometry ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkAssemblySweep
+ * @brief One conforming mesh of hexahedra of several solids that touch.
+ *
+ * Takes a collection of closed surfaces whose cell array `FaceId` has one id for a face that two of
+ * them share (vtkCADReader puts out such a collection when it imprints), or one data set with the
+ * cell array `VolumeId`. Each volume is swept one to one; the filter finds the caps of all of them,
+ * so that each shared face gets one mesh: layers and rows of quads on the sides, quads of one cap
+ * carried through a stack of volumes, quads of a side as the cap of a volume that stands on it. The
+ * numbers of edges on all curves follow from one size, by an integer programme where sides ask for
+ * sums of them. Volumes that do not touch are in the same mesh, too.
+ *
+ * Output 0 is a vtkPartitionedDataSetCollection: a partitioned data set a volume, with its name,
+ * in the order of the input; with Merged, one with all hexahedra, whose volumes share points. All
+ * have the cell arrays `VolumeId` (from 1 on), `ScaledJacobian`, `JacobianLowerBound`, `Validity`
+ * (see vtkHexValidity), the point array `GlobalNodeIds` (global ids: the same for points that
+ * volumes share) and the report of vtkHexValidity in their field data.
+ *
+ * Output 1 are the quads of all faces, each once, with the arrays of vtkOneToOneSweep's boundary
+ * (`BoundaryId`, the face; `BoundaryPart`, `HexId`, `HexSide`, `HexPointIds`: of the first volume,
+ * in the numbers of the merged mesh), so that vtkSweepSets takes both outputs, and with two
+ * components each `VolumeIds` (both volumes of the face, the second 0 on the skin), `HexIds` and
+ * `HexSides` (-1 and 0 where there is none).
+ *
+ * Nodes lie on the true surfaces where the input brings them, see
+ * vtkOneToOneSweep::SetSnapToGeometry().
+ *
+ * A volume that cannot be filled is named in a warning, and the others are there. One error says
+ * which volumes cannot be brought together, why, and what to do.
+ */
+#ifndef vtkAssemblySweep_h
+#define vtkAssemblySweep_h
+
+#include "vtkFiltersHexSweepModule.h" // For export macro
+#include "vtkPartitionedDataSetCollectionAlgorithm.h"
+
+#include <map>    // For caps by volume
+#include <vector> // For lists of ids
+
+class VTKFILTERSHEXSWEEP_EXPORT vtkAssemblySweep : public vtkPartitionedDataSetCollectionAlgorithm
+{
+public:
+  static vtkAssemblySweep* New();
+  vtkTypeMacro(vtkAssemblySweep, vtkPartitionedDataSetCollectionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Wanted length of edges, in the input's unit. 0 (the default): one that suits the finest cap,
+  /// but gives no more than some 400000 hexahedra.
+  vtkSetMacro(Size, double);
+  vtkGetMacro(Size, double);
+  ///@}
+
+  ///@{
+  /**
+   * Caps of volumes, where they are not to be found: face ids with the volume's id before them. A
+   * volume whose source alone is named gets the best target.
+   */
+  void AddVolumeSource(vtkIdType volumeId, vtkIdType faceId);
+  void AddVolumeTarget(vtkIdType volumeId, vtkIdType faceId);
+  void RemoveAllVolumeSources();
+  void RemoveAllVolumeTargets();
+  ///@}
+
+  ///@{
+  /// Whether output 0 is one grid with all hexahedra. Off by default.
+  vtkSetMacro(Merged, bool);
+  vtkGetMacro(Merged, bool);
+  vtkBooleanMacro(Merged, bool);
+  ///@}
+
+  ///@{
+  /// See vtkOneToOneSweep; on by default.
+  vtkSetMacro(SnapToGeometry, bool);
+  vtkGetMacro(SnapToGeometry, bool);
+  vtkBooleanMacro(SnapToGeometry, bool);
+  ///@}
+
+  ///@{
+  /// See vtkOneToOneSweep; 30 degrees by default.
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /// See vtkOneToOneSweep; in [0, 0.1], 1e-6 by default.
+  vtkSetClampMacro(MatchTolerance, double, 0.0, 0.1);
+  vtkGetMacro(MatchTolerance, double);
+  ///@}
+
+protected:
+  vtkAssemblySweep();
+  ~vtkAssemblySweep() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkAssemblySweep(const vtkAssemblySweep&) = delete;
+  void operator=(const vtkAssemblySweep&) = delete;
+
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+  std::map<vtkIdType, std::vector<vtkIdType>> Sources;
+  std::map<vtkIdType, std::vector<vtkIdType>> Targets;
+  double Size = 0.0;
+  double FeatureAngle = 30.0;
+  double MatchTolerance = 1e-6;
+  bool Merged = false;
+  bool SnapToGeometry = true;
+};
+
+#endif

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CADMeshes.h"
+#include "CADParts.h"
+#include "TestEvents.h"
+#include "vtkAssemblySweep.h"
+#include "vtkCADReader.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Ax2.hxx>
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkHexahedron.h>
+#include <vtkIdList.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+using cadmeshes::temporaryFile;
+
+namespace
+{
+/// What case.json says, as the CAD kernel measured it.
+struct Assembly
+{
+  std::string name;
+  int volumes;
+  double volume;
+  double outerArea;
+};
+
+/// The faces of a mesh's hexahedra, and how often each is used.
+struct HexFaces
+{
+  std::map<std::array<vtkIdType, 4>, int> uses;
+  double skinArea = 0.0;
+  int most = 0;
+
+  explicit HexFaces(vtkUnstructuredGrid* grid)
+  {
+    std::map<std::array<vtkIdType, 4>, std::array<vtkIdType, 4>> corners;
+    vtkNew<vtkIdList> points;
+    for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+    {
+      grid->GetCellPoints(c, points);
+      for (int f = 0; f < 6; ++f)
+      {
+        const vtkIdType* face = vtkHexahedron::GetFaceArray(f);
+        std::array<vtkIdType, 4> own{};
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+          own[i] = points->GetId(face[i]);
+        }
+        std::array<vtkIdType, 4> key = own;
+        std::sort(key.begin(), key.end());
+        corners[key] = own;
+        this->most = std::max(this->most, ++this->uses[key]);
+      }
+    }
+    for (const auto& [key, count] : this->uses)
+    {
+      this->skinArea += count == 1 ? areaOf(grid, corners[key]) : 0.0;
+    }
+  }
+
+  static double areaOf(vtkUnstructuredGrid* grid, const std::array<vtkIdType, 4>& corners)
+  {
+    double p[4][3];
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      grid->GetPoint(corners[i], p[i]);
+    }
+    double d[3];
+    double e[3];
+    double normal[3];
+    vtkMath::Subtract(p[2], p[0], d);
+    vtkMath::Subtract(p[3], p[1], e);
+    vtkMath::Cross(d, e, normal);
+    return 0.5 * vtkMath::Norm(normal);
+  }
+};
+
+std::set<int> volumesIn(vtkUnstructuredGrid* grid)
+{
+  std::set<int> ids;
+  vtkDataArray* array = grid->GetCellData()->GetArray("VolumeId");
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    ids.insert(static_cast<int>(array->GetTuple1(c)));
+  }
+  return ids;
+}
+
+double report(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  vtkDataArray* array = grid->GetFieldData()->GetArray(("SweepReport" + name).c_str());
+  return array ? array->GetTuple1(0) : HUGE_VAL;
+}
+
+vtkUnstructuredGrid* gridOf(vtkAssemblySweep* sweep, unsigned int place = 0)
+{
+  return vtkUnstructuredGrid::SafeDownCast(sweep->GetOutput()->GetPartition(place, 0));
+}
+
+/// A file read and swept, merged.
+struct Swept
+{
+  vtkNew<vtkCADReader> reader;
+  vtkNew<vtkAssemblySweep> sweep;
+  test::Events events{ sweep };
+
+  explicit Swept(const std::string& file, double size = 0.0)
+  {
+    this->reader->SetFileName(file.c_str());
+    this->sweep->SetInputConnection(this->reader->GetOutputPort());
+    this->sweep->MergedOn();
+    this->sweep->SetSize(size);
+    this->sweep->Update();
+  }
+  vtkUnstructuredGrid* grid() { return gridOf(this->sweep); }
+};
+
+std::string dataFile(const std::string& name)
+{
+  return std::string(HEXSWEEP_DATA_DIR) + "/cad/" + name + ".step";
+}
+
+TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes)
+{
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& shape : shapes)
+  {
+    builder.Add(all, shape);
+  }
+  return all;
+}
+
+TopoDS_Shape block(double x, double y, double z, double dx, double dy, double dz)
+{
+  return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
+}
+
+std::string fileOf(const std::string& name, const std::vector<TopoDS_Shape>& shapes)
+{
+  const std::string file = temporaryFile(name + ".step");
+  cadparts::writeSTEP(together(shapes), file);
+  return file;
+}
+
+/// The error of a sweep that must refuse.
+std::string refusalOf(const std::string& file)
+{
+  Swept swept(file);
+  EXPECT_EQ(swept.events.errors.size(), 1U);
+  EXPECT_EQ(swept.sweep->GetOutput()->GetNumberOfPartitionedDataSets(), 0U);
+  return swept.events.errors.empty() ? std::string() : swept.events.errors.front();
+}
+}
+
+//------------------------------------------------------------------------------
+class AssemblySweepOfFiles : public testing::TestWithParam<Assembly>
+{
+};
+
+TEST_P(AssemblySweepOfFiles, IsOneConformingCertifiedMesh)
+{
+  const Assembly& given = GetParam();
+  const std::string file = dataFile(given.name);
+  const TopoDS_Shape shape = cadparts::readSTEP(file);
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, false, false);
+  const double size = std::sqrt(box.SquareExtent());
+  Swept swept(file, size / 60.0);
+  ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
+  EXPECT_TRUE(swept.events.warnings.empty()) << swept.events.warnings.front();
+  vtkUnstructuredGrid* hexes = swept.grid();
+  EXPECT_EQ(report(hexes, "NotCertified"), 0.0);
+  EXPECT_GE(report(hexes, "MinScaledJacobian"), 0.2);
+  EXPECT_EQ(volumesIn(hexes).size(), static_cast<std::size_t>(given.volumes));
+  const HexFaces faces(hexes);
+  EXPECT_EQ(faces.most, 2);
+  // Nodes are on the geometry: what is missing is what chords cut off.
+  EXPECT_NEAR(faces.skinArea, given.outerArea, 0.01 * given.outerArea);
+  EXPECT_NEAR(cadmeshes::volumeOf(hexes), given.volume, 0.01 * given.volume);
+  EXPECT_LT(cadmeshes::distanceFromNearestFace(
+              shape, vtkUnstructuredGrid::SafeDownCast(swept.sweep->GetOutputDataObject(1))),
+    1e-9 * size);
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, AssemblySweepOfFiles,
+  testing::Values(Assembly{ "bolted_joint", 6, 25199.159054348504, 6062.035345410779 },
+    Assembly{ "flanged_pipe", 2, 127573.79447697433, 37020.52782990212 },
+    Assembly{ "lined_elbow", 3, 28424.46067513735, 5642.188796756752 },
+    Assembly{ "pad_on_plate", 2, 22775.22131576613, 7784.991118430778 },
+    Assembly{ "pin_in_plate", 2, 26940.530723760046, 7780.176907920016 },
+    Assembly{ "sector_ring", 6, 42411.50082346221, 12723.45024703866 },
+    Assembly{ "tee_blocks", 2, 7599.999999999999, 3119.9999999999995 },
+    Assembly{ "three_blocks", 3, 3072.0, 1528.0 }),
+  [](const testing::TestParamInfo<Assembly>& given) { return given.param.name; });
+
+//------------------------------------------------------------------------------
+TEST(AssemblySweep, OutputsAVolumeASetThatShareGlobalIds)
+{
+  vtkNew<vtkCADReader> reader;
+  reader->SetFileName(dataFile("tee_blocks").c_str());
+  vtkNew<vtkAssemblySweep> sweep;
+  sweep->SetInputConnection(reader->GetOutputPort());
+  sweep->SetSize(3.0);
+  sweep->Update();
+  ASSERT_EQ(sweep->GetOutput()->GetNumberOfPartitionedDataSets(), 2U);
+  std::map<vtkIdType, std::array<double, 3>> places;
+  vtkIdType shared = 0;
+  for (const unsigned int v : { 0U, 1U })
+  {
+    vtkUnstructuredGrid* grid = gridOf(sweep, v);
+    EXPECT_EQ(report(grid, "NotCertified"), 0.0);
+    vtkDataArray* ids = grid->GetPointData()->GetGlobalIds();
+    ASSERT_NE(ids, nullptr);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> place{};
+      grid->GetPoint(i, place.data());
+      const auto [known, isNew] =
+        places.try_emplace(static_cast<vtkIdType>(ids->GetTuple1(i)), place);
+      shared += isNew ? 0 : 1;
+      EXPECT_EQ(known->second, place);
+    }
+  }
+  EXPECT_GT(shared, 9); // the nodes of face 3
+  auto* quads = vtkUnstructuredGrid::SafeDownCast(sweep->GetOutputDataObject(1));
+  vtkDataArray* volumes = quads->GetCellData()->GetArray("VolumeIds");
+  vtkIdType between = 0;
+  for (vtkIdType q = 0; q < quads->GetNumberOfCells(); ++q)
+  {
+    if (volumes->GetComponent(q, 1) > 0)
+    {
+      ++between;
+      EXPECT_EQ(quads->GetCellData()->GetArray("BoundaryId")->GetTuple1(q), 3.0);
+    }
+  }
+  EXPECT_GT(between, 4);
+}
+
+//------------------------------------------------------------------------------
+// Layers of the pin follow the plate's: no node of it lies between two layers of the plate.
+TEST(AssemblySweep, LayersOfThePinFollowThePlates)
+{
+  Swept swept(dataFile("pin_in_plate"), 2.0);
+  vtkUnstructuredGrid* hexes = swept.grid();
+  auto* quads = vtkUnstructuredGrid::SafeDownCast(swept.sweep->GetOutputDataObject(1));
+  std::set<long> heights;
+  vtkDataArray* volumes = quads->GetCellData()->GetArray("VolumeIds");
+  for (vtkIdType q = 0; q < quads->GetNumberOfCells(); ++q)
+  {
+    if (volumes->GetComponent(q, 1) > 0)
+    {
+      vtkNew<vtkIdList> corners;
+      quads->GetCellPoints(q, corners);
+      for (vtkIdType i = 0; i < 4; ++i)
+      {
+        heights.insert(std::lround(1e6 * quads->GetPoint(corners->GetId(i))[2]));
+      }
+    }
+  }
+  EXPECT_EQ(*heights.begin(), 0);
+  EXPECT_EQ(*heights.rbegin(), 10000000);
+  // The plate is 10 high, hexahedra are 2.
+  EXPECT_EQ(heights.size(), 6U);
+  EXPECT_EQ(report(hexes, "NotCertified"), 0.0);
+}
+
+//------------------------------------------------------------------------------
+// Two pads of different size on both sides of a plate: borders on both caps, none on the other.
+TEST(AssemblySweep, BordersOfTheTargetAreCarriedToTheSource)
+{
+  const std::string file = fileOf(
+    "pads", { block(0, 0, 0, 20, 16, 2), block(3, 4, 2, 6, 5, 4), block(8, 6, -3, 7, 6, 3) });
+  Swept swept(file, 1.0);
+  ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
+  EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
+  EXPECT_GE(report(swept.grid(), "MinScaledJacobian"), 0.2);
+  const HexFaces faces(swept.grid());
+  EXPECT_EQ(faces.most, 2);
+  const double area = 2.0 * (20 * 16 + 20 * 2 + 16 * 2) + 2.0 * (6 + 5) * 4 + 2.0 * (7 + 6) * 3;
+  EXPECT_NEAR(faces.skinArea, area, 1e-9 * area);
+  EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), 640.0 + 120.0 + 126.0, 1e-6);
+}
+
+//------------------------------------------------------------------------------
+TEST(AssemblySweep, NamedCapsAreObeyed)
+{
+  vtkNew<vtkCADReader> reader;
+  reader->SetFileName(dataFile("three_blocks").c_str());
+  vtkNew<vtkAssemblySweep> sweep;
+  sweep->SetInputConnection(reader->GetOutputPort());
+  sweep->SetSize(2.0);
+  sweep->AddVolumeSource(2, 11);
+  sweep->AddVolumeTarget(2, 12);
+  sweep->MergedOn();
+  sweep->Update();
+  EXPECT_EQ(report(gridOf(sweep), "NotCertified"), 0.0);
+  auto* quads = vtkUnstructuredGrid::SafeDownCast(sweep->GetOutputDataObject(1));
+  std::map<int, int> parts;
+  for (vtkIdType q = 0; q < quads->GetNumberOfCells(); ++q)
+  {
+    parts[static_cast<int>(quads->GetCellData()->GetArray("BoundaryId")->GetTuple1(q))] =
+      static_cast<int>(quads->GetCellData()->GetArray("BoundaryPart")->GetTuple1(q));
+  }
+  EXPECT_NE(parts[11], 2);
+  EXPECT_NE(parts[12], 2);
+  EXPECT_EQ(parts[13], 2);
+  EXPECT_EQ(parts[14], 2);
+}
+
+//------------------------------------------------------------------------------
+TEST(AssemblySweep, AVolumeThatCannotBeSweptIsNamedWithItsFaces)
+{
+  // A ball against a block.
+  const std::string file = fileOf("cone",
+    { block(0, 0, 0, 10, 10, 10),
+      BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(5, 5, 10), gp_Dir(0, 0, 1)), 3.0, 0.0, 4.0).Shape() });
+  const std::string error = refusalOf(file);
+  EXPECT_NE(error.find("volume 2"), std::string::npos) << error;
+}
+
+//------------------------------------------------------------------------------
+TEST(AssemblySweep, OneSolidIsAnAssemblyToo)
+{
+  Swept swept(fileOf("one", { block(0, 0, 0, 4, 3, 2) }), 0.5);
+  ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
+  EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
+  EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), 24.0, 1e-9);
+}

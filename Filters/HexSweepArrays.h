@@ -229,6 +229,9 @@ constexpr const char* Projection = "SweepReportProjection";
 /// Ids, one a face.
 constexpr const char* SourceFaceIds = "SweepReportSourceFaceIds";
 constexpr const char* TargetFaceIds = "SweepReportTargetFaceIds";
+/// Texts, one a volume of an assembly: face ids with blanks between.
+constexpr const char* PlannedSources = "SweepReportPlannedSources";
+constexpr const char* PlannedTargets = "SweepReportPlannedTargets";
 /// Texts, one a way to sweep the solid, best first; not where both caps are named.
 constexpr const char* Candidates = "SweepReportCandidates";
 /// Id: 1 where there were more pairs of caps than were tried, else 0.

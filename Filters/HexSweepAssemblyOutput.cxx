@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace hexsweep
 {
@@ -46,6 +47,37 @@ void setPoints(const Points& points, vtkUnstructuredGrid* grid)
 {
   grid->SetPoints(
     vtkSmartPointer<vtkPoints>::Take(newPoints(points, vtkAlgorithm::DEFAULT_PRECISION)));
+}
+
+std::string textOf(const std::vector<Index>& ids)
+{
+  std::string text;
+  for (const Index id : ids)
+  {
+    text += (text.empty() ? "" : " ") + std::to_string(id);
+  }
+  return text;
+}
+
+/// The plan of some volumes.
+void addPlan(const AssemblySweep& sweep, const std::vector<std::size_t>& volumes,
+  const VolumeLabels& labels, vtkUnstructuredGrid* grid)
+{
+  std::vector<Index> ids;
+  std::vector<Index> layers;
+  std::vector<std::string> sources;
+  std::vector<std::string> targets;
+  for (const std::size_t v : volumes)
+  {
+    ids.push_back(labels.ids[v]);
+    layers.push_back(sweep.intervals.layers[v]);
+    sources.push_back(textOf(idsOfFaces(sweep.complex, sweep.plan.sweeps[v].sources)));
+    targets.push_back(textOf(idsOfFaces(sweep.complex, sweep.plan.sweeps[v].targets)));
+  }
+  addIds(grid->GetFieldData(), reports::VolumeIds, ids);
+  addIds(grid->GetFieldData(), reports::Layers, layers);
+  addReport(grid->GetFieldData(), reports::PlannedSources, sources);
+  addReport(grid->GetFieldData(), reports::PlannedTargets, targets);
 }
 
 void addReports(const AssemblySweep& sweep, vtkUnstructuredGrid* grid)
@@ -117,6 +149,7 @@ vtkSmartPointer<vtkUnstructuredGrid> volumeGrid(
     std::vector<Index>(volume.hexes.qualities.size(), labels.ids[v]));
   setQualities(volume.hexes.qualities, grid);
   addReport(grid->GetFieldData(), reports::Method, volume.hexes.method);
+  addPlan(sweep, { v }, labels, grid);
   addReports(sweep, grid);
   return grid;
 }
@@ -219,6 +252,9 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
   addIds(grid->GetCellData(), arrays::VolumeId, volumeIds);
   setQualities(qualities, grid);
   addReport(grid->GetFieldData(), reports::Method, methods);
+  std::vector<std::size_t> all(sweep.volumes.size());
+  std::iota(all.begin(), all.end(), std::size_t{ 0 });
+  addPlan(sweep, all, labels, grid);
   addReports(sweep, grid);
   return grid;
 }

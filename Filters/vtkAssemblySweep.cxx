@@ -45,6 +45,18 @@ std::string nameOfBody(const ReadBody& body, vtkStringArray* names)
     : std::string();
 }
 
+/// @throw InvalidInput for a number below 1.
+Index layersOf(const std::map<vtkIdType, vtkIdType>& named, Index volumeId)
+{
+  const auto found = named.find(volumeId);
+  if (found != named.end() && found->second < 1)
+  {
+    throw InvalidInput("volume " + std::to_string(volumeId) + " is to have " +
+      std::to_string(found->second) + " layers. Give 1 or more.");
+  }
+  return found == named.end() ? 0 : found->second;
+}
+
 std::vector<Index> idsOf(const std::map<vtkIdType, std::vector<vtkIdType>>& named, Index volumeId)
 {
   const auto found = named.find(volumeId);
@@ -103,6 +115,20 @@ void vtkAssemblySweep::RemoveAllVolumeTargets()
 }
 
 //------------------------------------------------------------------------------
+void vtkAssemblySweep::AddVolumeLayers(vtkIdType volumeId, vtkIdType layers)
+{
+  this->Layers[volumeId] = layers;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkAssemblySweep::RemoveAllVolumeLayers()
+{
+  this->Layers.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 int vtkAssemblySweep::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -139,13 +165,18 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
     labels.names.push_back(name.empty() ? "Volume " + std::to_string(labels.ids.back()) : name);
     volume.name = "volume " + std::to_string(labels.ids.back()) +
       (name.empty() ? std::string() : " (\"" + name + "\")");
-    volume.named = { idsOf(this->Sources, body.volumeId), idsOf(this->Targets, body.volumeId) };
+    volume.named = { idsOf(this->Sources, body.volumeId), idsOf(this->Targets, body.volumeId),
+      layersOf(this->Layers, body.volumeId) };
     volumes.push_back(std::move(volume));
   }
   AssemblySettings settings;
   settings.size = this->Size;
   settings.parallelFor = smpFor();
   const AssemblySweep sweep = sweepAssembly(volumes, settings, pipelineProgress(this, 0.05, 0.95));
+  for (const std::string& warning : sweep.warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
   for (std::size_t v = 0; v < volumes.size(); ++v)
   {
     if (!sweep.volumes[v].problem.empty())
@@ -178,6 +209,12 @@ void vtkAssemblySweep::PrintSelf(ostream& os, vtkIndent indent)
   };
   print("VolumeSources", this->Sources);
   print("VolumeTargets", this->Targets);
+  os << indent << "VolumeLayers:";
+  for (const auto& [volume, layers] : this->Layers)
+  {
+    os << " " << volume << ": " << layers;
+  }
+  os << "\n";
   os << indent << "Size: " << this->Size << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MatchTolerance: " << this->MatchTolerance << "\n";

@@ -15,7 +15,10 @@
  * in the order of the input; with Merged, one with all hexahedra, whose volumes share points. All
  * have the cell arrays `VolumeId` (from 1 on), `ScaledJacobian`, `JacobianLowerBound`, `Validity`
  * (see vtkHexValidity), the point array `GlobalNodeIds` (global ids: the same for points that
- * volumes share) and the report of vtkHexValidity in their field data.
+ * volumes share) and the report of vtkHexValidity in their field data. The plan is there, too:
+ * `SweepReportVolumeIds` and `SweepReportLayers`, one a volume, `SweepReportPlannedSources` and
+ * `SweepReportPlannedTargets`, face ids as text, one a volume. Given back as volume sources,
+ * targets and layers it is repeated.
  *
  * Output 1 are the quads of all faces, each once, with the arrays of vtkOneToOneSweep's boundary
  * (`BoundaryId`, the face; `BoundaryPart`, `HexId`, `HexSide`, `HexPointIds`: of the first volume,
@@ -64,6 +67,13 @@ public:
   ///@}
 
   ///@{
+  /// Numbers of layers of volumes, where they do not follow from the size; 1 or more. Volumes whose
+  /// sides are shared have as many.
+  void AddVolumeLayers(vtkIdType volumeId, vtkIdType layers);
+  void RemoveAllVolumeLayers();
+  ///@}
+
+  ///@{
   /// Whether output 0 is one grid with all hexahedra. Off by default.
   vtkSetMacro(Merged, bool);
   vtkGetMacro(Merged, bool);
@@ -105,6 +115,7 @@ private:
 
   std::map<vtkIdType, std::vector<vtkIdType>> Sources;
   std::map<vtkIdType, std::vector<vtkIdType>> Targets;
+  std::map<vtkIdType, vtkIdType> Layers;
   double Size = 0.0;
   double FeatureAngle = 30.0;
   double MatchTolerance = 1e-6;

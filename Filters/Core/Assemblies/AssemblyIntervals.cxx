@@ -45,10 +45,12 @@ std::vector<Index> curvesOf(const std::vector<CurveUse>& chain)
 class ProgrammeWriter
 {
 public:
-  ProgrammeWriter(const AssemblyComplex& complex, const AssemblyPlan& plan, double size)
+  ProgrammeWriter(const AssemblyComplex& complex, const AssemblyPlan& plan, double size,
+    const std::vector<Index>& layers)
     : Complex(complex)
     , Plan(plan)
     , Size(size)
+    , Layers(layers)
   {
   }
 
@@ -164,6 +166,8 @@ private:
     this->RowOfVolume.push_back(row);
     IntervalWish any;
     any.free = true;
+    any.most = this->Layers[at(volume)];
+    any.least = std::max<Index>(1, any.most);
     this->Programme.wishes.push_back(any);
     // The way down to the source cap, by the face at whose bottom a curve is.
     std::map<Index, const SideFace*> above;
@@ -209,16 +213,17 @@ private:
   const AssemblyComplex& Complex;
   const AssemblyPlan& Plan;
   double Size;
+  const std::vector<Index>& Layers;
   IntervalProgramme Programme;
   std::map<Index, Index> RowOfTube;
   std::vector<Index> RowOfVolume;
 };
 }
 
-AssemblyIntervals assemblyIntervals(
-  const AssemblyComplex& complex, const AssemblyPlan& plan, double size)
+AssemblyIntervals assemblyIntervals(const AssemblyComplex& complex, const AssemblyPlan& plan,
+  double size, const std::vector<Index>& layers)
 {
-  ProgrammeWriter writer(complex, plan, size);
+  ProgrammeWriter writer(complex, plan, size, layers);
   const IntervalProgramme programme = writer.write();
   const std::vector<Index> numbers = solveIntervals(programme);
   AssemblyIntervals result;

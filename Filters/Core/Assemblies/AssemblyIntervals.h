@@ -22,11 +22,12 @@ struct AssemblyIntervals
  * volume have as many layers; curves round caps have even numbers, because quads of caps come from
  * triangles by halving their edges.
  *
- * @param size wanted length of edges, > 0.
+ * @param size   wanted length of edges, > 0.
+ * @param layers one a volume: how many it is to have; 0: by size.
  * @throw InvalidInput as solveIntervals(), with the faces and volumes that contradict each other.
  */
-AssemblyIntervals assemblyIntervals(
-  const AssemblyComplex& complex, const AssemblyPlan& plan, double size);
+AssemblyIntervals assemblyIntervals(const AssemblyComplex& complex, const AssemblyPlan& plan,
+  double size, const std::vector<Index>& layers);
 }
 
 #endif

@@ -50,6 +50,7 @@ public:
     for (std::size_t v = 0; v < volumes.size(); ++v)
     {
       this->Layouts.push_back(&volumes[v].options[choice[v]].layout);
+      this->IsFixed.push_back(volumes[v].options[choice[v]].fixed);
     }
   }
 
@@ -154,6 +155,10 @@ private:
     {
       for (const bool second : { false, true })
       {
+        if (second && this->IsFixed[at(volume)])
+        {
+          continue;
+        }
         roots.push_back({ volume, second });
         if (this->isPinned(volume, second))
         {
@@ -175,7 +180,7 @@ private:
     for (std::size_t r = 0; r < std::min(MostRoots, roots.size()); ++r)
     {
       std::string problem;
-      const std::optional<std::size_t> imprints = this->walk(roots[r], found, problem);
+      const std::optional<std::size_t> imprints = this->walk(roots[r], stack.size(), found, problem);
       if (imprints && (!best || *imprints < fewest))
       {
         best = roots[r];
@@ -192,14 +197,16 @@ private:
       why = first;
       return false;
     }
-    this->walk(*best, found, first);
+    this->walk(*best, stack.size(), found, first);
     order.insert(order.end(), found.begin(), found.end());
     return true;
   }
 
   /// From volume to volume over common caps; each begins with the cap that it is reached by.
+  /// @param count volumes of the stack.
   /// @return how many targets have borders that are to be carried back, or nothing, with why.
-  std::optional<std::size_t> walk(const Root& root, std::vector<Index>& found, std::string& problem)
+  std::optional<std::size_t> walk(
+    const Root& root, std::size_t count, std::vector<Index>& found, std::string& problem)
   {
     std::size_t imprints = 0;
     std::set<Index> known{ root.volume };
@@ -227,16 +234,28 @@ private:
         for (const Index face : this->cap(volume, second))
         {
           const Index other = this->beyond(volume, face);
-          if (other < 0 || this->roleIn(other, face) == FaceRole::Side ||
-            !known.insert(other).second)
+          if (other < 0 || this->roleIn(other, face) == FaceRole::Side || known.count(other) > 0)
           {
             continue;
           }
           const std::vector<Index>& first = this->cap(other, false);
-          this->IsTurned[at(other)] = !std::binary_search(first.begin(), first.end(), face);
+          const bool turnsOther = !std::binary_search(first.begin(), first.end(), face);
+          if (turnsOther && this->IsFixed[at(other)])
+          {
+            // It may be reached by its source from elsewhere.
+            problem = nameOfVolume(other) + " is reached by its named target (face " +
+              std::to_string(this->Complex.faces[at(face)].id) + ") from " + nameOfVolume(volume);
+            continue;
+          }
+          known.insert(other);
+          this->IsTurned[at(other)] = turnsOther;
           found.push_back(other);
         }
       }
+    }
+    if (found.size() < count)
+    {
+      return std::nullopt;
     }
     return imprints;
   }
@@ -251,6 +270,7 @@ private:
   const AssemblyComplex& Complex;
   const CanCarry& Carries;
   std::vector<const SweepLayout*> Layouts;
+  std::vector<bool> IsFixed;
   std::vector<bool> IsTurned;
   std::vector<bool> IsDone;
 };
@@ -299,7 +319,7 @@ VolumeOptions sweepOptions(
       result.options.push_back(
         { layOutSides(complex, volume, rowsOfFaces(complex, volume, candidate.sourceFaceIds),
             rowsOfFaces(complex, volume, candidate.targetFaceIds)),
-          candidate.score });
+          candidate.score, !named.sourceFaceIds.empty() });
     }
     catch (const InvalidInput& error)
     {

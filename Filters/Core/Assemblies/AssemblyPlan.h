@@ -19,6 +19,7 @@ struct SweepOption
 {
   SweepLayout layout;
   double score = 0.0; ///< see SweepCandidate
+  bool fixed = false; ///< the source cap is named: the sweep is not turned
 };
 
 /// All ways for a volume, best first.
@@ -28,11 +29,12 @@ struct VolumeOptions
   std::vector<std::string> refused; ///< why others are none
 };
 
-/// Caps that the user names for a volume, as face ids; empty: any.
+/// What the user says of a volume.
 struct NamedSweep
 {
-  std::vector<Index> sourceFaceIds;
-  std::vector<Index> targetFaceIds;
+  std::vector<Index> sourceFaceIds; ///< empty: any
+  std::vector<Index> targetFaceIds; ///< empty: any
+  Index layers = 0;                 ///< 0: by size
 };
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Assemblies/AssemblySweep.h"
 
+#include "Core/Assemblies/AssemblyChecks.h"
 #include "Core/Assemblies/CapFaces.h"
 #include "Core/Assemblies/CapImprint.h"
 #include "Core/Assemblies/FaceGrid.h"
@@ -133,6 +134,14 @@ AssemblySweep sweepAssembly(const std::vector<AssemblyVolume>& volumes,
   }
   result.complex = makeAssemblyComplex(surfaces);
   surfaces.clear();
+  std::vector<const SolidSurface*> solids;
+  std::vector<std::string> names;
+  for (const AssemblyVolume& volume : volumes)
+  {
+    solids.push_back(&volume.surface);
+    names.push_back(volume.name);
+  }
+  result.warnings = describeNeighbours(result.complex, solids, names);
   stages.finish("Faces and curves");
   const double count = static_cast<double>(volumes.size());
   std::vector<VolumeOptions> options(volumes.size());
@@ -144,11 +153,6 @@ AssemblySweep sweepAssembly(const std::vector<AssemblyVolume>& volumes,
         result.complex, static_cast<Index>(v), volumes[v].surface, volumes[v].named);
     });
   }
-  std::vector<const SolidSurface*> solids;
-  for (const AssemblyVolume& volume : volumes)
-  {
-    solids.push_back(&volume.surface);
-  }
   result.plan = planAssembly(result.complex, options, [&](Index volume, const SweepLayout& layout) {
     return capMapOf(result.complex, layout, *solids[at(volume)]).has_value();
   });
@@ -156,7 +160,12 @@ AssemblySweep sweepAssembly(const std::vector<AssemblyVolume>& volumes,
     settings.size > 0.0 ? settings.size : defaultAssemblySize(result.complex, result.plan, volumes);
   imprintTargets(solids, result.size, result.complex, result.plan);
   stages.finish("Plan");
-  result.intervals = assemblyIntervals(result.complex, result.plan, result.size);
+  std::vector<Index> layers;
+  for (const AssemblyVolume& volume : volumes)
+  {
+    layers.push_back(volume.named.layers);
+  }
+  result.intervals = assemblyIntervals(result.complex, result.plan, result.size, layers);
   stages.finish("Intervals");
   const AssemblyGeometry geometry(result.complex, std::move(geometries));
   result.boundary = divideCurves(result.complex, geometry, result.intervals.curves);

@@ -45,6 +45,7 @@ struct AssemblySweep
   Points nodes;          ///< of all volumes, those of `boundary` first
   std::vector<SweptVolume> volumes;
   double size = 0.0;
+  std::vector<std::string> warnings; ///< see describeNeighbours()
   std::vector<Stage> stages;
 };
 

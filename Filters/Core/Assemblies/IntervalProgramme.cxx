@@ -25,6 +25,7 @@ struct IntervalClass
 {
   std::vector<std::pair<double, double>> wishes; ///< number, weight
   Index least = 1;
+  Index most = std::numeric_limits<Index>::max();
   Index step = 1; ///< 2: even numbers only
 };
 
@@ -64,6 +65,7 @@ Contracted contract(const IntervalProgramme& programme)
     const IntervalWish& wish = programme.wishes[at(i)];
     IntervalClass& own = result.classes[at(row)];
     own.least = std::max(own.least, wish.least);
+    own.most = wish.most > 0 ? std::min(own.most, wish.most) : own.most;
     own.step = wish.even ? 2 : own.step;
     if (!wish.free)
     {
@@ -73,6 +75,7 @@ Contracted contract(const IntervalProgramme& programme)
   for (IntervalClass& own : result.classes)
   {
     own.least += own.least % own.step;
+    own.most -= own.most % own.step;
     std::sort(own.wishes.begin(), own.wishes.end());
   }
   for (const IntervalEquation& equation : programme.equations)
@@ -132,10 +135,12 @@ Index medianOf(const IntervalClass& own)
   const Index best =
     costOf(own, static_cast<double>(above)) < costOf(own, static_cast<double>(below)) ? above
                                                                                       : below;
-  return std::max(own.least, best);
+  return std::clamp(best, own.least, std::max(own.least, own.most));
 }
 
 #ifdef HEXSWEEP_HAS_CBC
+constexpr double Unlimited = std::numeric_limits<double>::max();
+
 /// A sparse matrix by columns, as Cbc takes it.
 struct Columns
 {
@@ -146,7 +151,8 @@ struct Columns
   std::vector<double> upper;
   std::vector<double> cost;
 
-  void add(const std::vector<std::pair<int, double>>& entries, double least, double price)
+  void add(
+    const std::vector<std::pair<int, double>>& entries, double least, double most, double price)
   {
     for (const auto& [row, value] : entries)
     {
@@ -155,7 +161,7 @@ struct Columns
     }
     this->starts.push_back(static_cast<CoinBigIndex>(this->rows.size()));
     this->lower.push_back(least);
-    this->upper.push_back(std::numeric_limits<double>::max());
+    this->upper.push_back(most);
     this->cost.push_back(price);
   }
 };
@@ -195,13 +201,17 @@ std::optional<std::map<Index, Index>> branchAndCut(
       right.push_back(wish);
       deviations.push_back({ deviation, weight });
     }
-    columns.add(own, static_cast<double>(numbers.least / numbers.step), 0.0);
+    columns.add(own, static_cast<double>(numbers.least / numbers.step),
+      numbers.most == std::numeric_limits<Index>::max()
+        ? Unlimited
+        : static_cast<double>(numbers.most / numbers.step),
+      0.0);
   }
   const int integers = static_cast<int>(entries.size());
   for (const Deviation& deviation : deviations)
   {
-    columns.add({ { deviation.row, 1.0 } }, 0.0, deviation.weight);
-    columns.add({ { deviation.row, -1.0 } }, 0.0, deviation.weight);
+    columns.add({ { deviation.row, 1.0 } }, 0.0, Unlimited, deviation.weight);
+    columns.add({ { deviation.row, -1.0 } }, 0.0, Unlimited, deviation.weight);
   }
   const std::unique_ptr<Cbc_Model, void (*)(Cbc_Model*)> model(Cbc_newModel(), &Cbc_deleteModel);
   Cbc_loadProblem(model.get(), static_cast<int>(columns.cost.size()),
@@ -241,6 +251,31 @@ std::optional<std::map<Index, Index>> branchAndCut(
 }
 #endif
 
+/// Numbers that are equal must have a common range.
+void checkLimits(const IntervalProgramme& programme, const Contracted& problem)
+{
+  for (std::size_t row = 0; row < problem.classes.size(); ++row)
+  {
+    const IntervalClass& own = problem.classes[row];
+    if (own.least <= own.most)
+    {
+      continue;
+    }
+    std::string words;
+    for (const IntervalEquation& equation : programme.equations)
+    {
+      const bool joins = equation.left.size() == 1 && equation.right.size() == 1 &&
+        problem.classOf[at(equation.left.front())] == static_cast<Index>(row);
+      words += joins ? (words.empty() ? "" : "; ") + equation.words : "";
+    }
+    throw InvalidInput(
+      "numbers of edges or layers that were asked for contradict each other, or are "
+      "too small (" +
+      std::to_string(own.most) + " at most, " + std::to_string(own.least) + " at least): " + words +
+      ".");
+  }
+}
+
 /// Leaves out equation after equation as long as the rest has no solution either.
 [[noreturn]] void refuse(const Contracted& problem)
 {
@@ -277,6 +312,7 @@ std::vector<Index> solveIntervals(const IntervalProgramme& programme)
 {
   const Contracted problem = contract(programme);
   std::map<Index, Index> bound;
+  checkLimits(programme, problem);
   if (!problem.equations.empty())
   {
     std::vector<const ClassEquation*> all;

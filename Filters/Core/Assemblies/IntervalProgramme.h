@@ -20,6 +20,7 @@ struct IntervalWish
 {
   double number = 1.0; ///< wanted, > 0
   Index least = 1;
+  Index most = 0;    ///< 0: any number
   bool even = false; ///< only even numbers will do
   bool free = false; ///< any number is as good: it follows from the others
 };

@@ -17,6 +17,7 @@ _DESCRIPTION = f"""Meshes a solid with hexahedra by sweeping.
   hexsweep faces FILE                    lists the faces of the solid (so does a call without -o)
   hexsweep FILE -o part.vtu              meshes it, the best way to sweep it
   hexsweep FILE --source 3 -o part.vtu   meshes it from face 3
+  hexsweep assembly.step -o all.vtu      bodies that touch: one conforming mesh
   hexsweep check FILE                    certifies the hexahedra of any mesh
 
 Reads {", ".join(READERS)}; writes {", ".join(WRITTEN)}
@@ -129,6 +130,13 @@ def _mesh_parser():
     parser.add_argument("--source", type=int, nargs="+", metavar="ID", help="the source faces (found)")
     parser.add_argument("--target", type=int, nargs="+", metavar="ID", help="the target faces (found)")
     parser.add_argument("--volume", dest="volumes", type=int, nargs="+", metavar="ID", help="bodies (all)")
+    parser.add_argument(
+        "--separate", action="store_true", help="bodies that touch: each meshed by itself (one conforming mesh)"
+    )
+    parser.add_argument(
+        "--plan", metavar="FILE", help="bodies that touch: the plan of all sweeps, as JSON; it is written, or read and "
+        "obeyed where it is there",
+    )
     parser.add_argument("--quads", metavar="FILE", help="quads of the source cap (they are made)")
     parser.add_argument("--both-ends", action="store_true", help="layers grow from both caps")
     parser.add_argument(

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From the file of a solid to the file of a mesh."""
 
+import os
+
 from .. import vtkOneToOneSweep
-from . import picture, report, threads, writing
+from . import assembly, picture, report, threads, writing
 from .faces import choose_face_ids
 from .messages import Refusal, VtkMessages
 from .output import new_files
@@ -21,7 +23,9 @@ def run(options):
         options.role_sets, options.set_ids, options.msh_version, options.binary
     )
     writing.check(options.output, choices)
-    outputs = {"mesh": options.output, "json": options.json, "picture": options.picture}
+    # A plan that is there is read, and stays as it is.
+    plan = options.plan if options.plan and not os.path.exists(options.plan) else None
+    outputs = {"mesh": options.output, "json": options.json, "picture": options.picture, "plan": plan}
     with new_files(inputs, **outputs) as new:
         if options.picture:
             picture.check(options.picture)
@@ -41,15 +45,13 @@ def _mesh(options, choices, new):
         threads.use(options.threads)
     bar = Bar()
     messages = VtkMessages(bar)
-    sweep = bar.follow(vtkOneToOneSweep())
-    sweep.SetSolidData(read(options.solid, messages))
-    if options.quads:
-        sweep.SetSourceQuadsData(read(options.quads, messages))
-    _configure(sweep, options)
+    solid = read(options.solid, messages)
+    together = assembly.is_one(solid, options)
+    sweep = assembly.Assembly(solid, options, bar.follow) if together else _single(solid, options, bar, messages)
     sweep.Update()
     bar.erase()
     hexes = sweep.GetOutputDataObject(0)
-    if sweep.GetErrorCode() != 0 or hexes.GetNumberOfCells() == 0:
+    if sweep.GetErrorCode() != 0 or not hexes or hexes.GetNumberOfCells() == 0:
         raise Refusal("" if messages.errors else "there is no mesh, and no filter has said why.")
     sets = writing.write(sweep, new.files["mesh"], choices, messages)
     quality = Quality(hexes)
@@ -59,7 +61,21 @@ def _mesh(options, choices, new):
         report.write(new.paths["json"], hexes, quality, certified, about, sets)
     if options.picture:
         picture.draw(hexes, new.paths["picture"])
+    if "plan" in new.paths:
+        sweep.write_plan(new.paths["plan"])
     return certified, "\n".join([quality.line(), *quality.table()])
+
+
+def _single(solid, options, bar, messages):
+    """One body, or several that are meshed by themselves. @throw Refusal."""
+    if options.plan:
+        raise Refusal(f"--plan: {options.solid} has no bodies that touch.")
+    sweep = bar.follow(vtkOneToOneSweep())
+    sweep.SetSolidData(solid)
+    if options.quads:
+        sweep.SetSourceQuadsData(read(options.quads, messages))
+    _configure(sweep, options)
+    return sweep
 
 
 def _settings(options):

@@ -22,6 +22,7 @@
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using cadmeshes::temporaryFile;
@@ -45,6 +47,7 @@ struct Assembly
   int volumes;
   double volume;
   double outerArea;
+  int sharedFaces;
 };
 
 /// The faces of a mesh's hexahedra, and how often each is used.
@@ -167,6 +170,26 @@ std::string fileOf(const std::string& name, const std::vector<TopoDS_Shape>& sha
   return file;
 }
 
+/// Ids of the faces of a solid at its least and greatest z.
+std::pair<int, int> facesAcross(vtkCADReader* reader, unsigned int solid)
+{
+  auto* triangles = vtkPolyData::SafeDownCast(reader->GetOutput()->GetPartition(solid, 0));
+  vtkDataArray* ids = triangles->GetCellData()->GetArray("FaceId");
+  double bounds[6];
+  triangles->GetBounds(bounds);
+  std::pair<int, int> found{ -1, -1 };
+  for (vtkIdType t = 0; t < triangles->GetNumberOfCells(); ++t)
+  {
+    double own[6];
+    triangles->GetCellBounds(t, own);
+    if (own[4] == own[5])
+    {
+      (own[4] == bounds[4] ? found.first : found.second) = static_cast<int>(ids->GetTuple1(t));
+    }
+  }
+  return found;
+}
+
 /// The error of a sweep that must refuse.
 std::string refusalOf(const std::string& file)
 {
@@ -207,15 +230,36 @@ TEST_P(AssemblySweepOfFiles, IsOneConformingCertifiedMesh)
     1e-9 * size);
 }
 
+TEST_P(AssemblySweepOfFiles, SharedFacesHaveOneMeshOfBothVolumes)
+{
+  Swept swept(dataFile(GetParam().name));
+  ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
+  auto* quads = vtkUnstructuredGrid::SafeDownCast(swept.sweep->GetOutputDataObject(1));
+  std::set<std::pair<int, int>> shared;
+  for (vtkIdType q = 0; q < quads->GetNumberOfCells(); ++q)
+  {
+    const auto value = [&](const char* name, int component) {
+      return static_cast<int>(quads->GetCellData()->GetArray(name)->GetComponent(q, component));
+    };
+    ASSERT_GE(value("HexIds", 0), 0);
+    ASSERT_EQ(value("HexIds", 1) >= 0, value("VolumeIds", 1) > 0);
+    if (value("VolumeIds", 1) > 0)
+    {
+      shared.insert({ value("BoundaryId", 0), value("VolumeIds", 1) });
+    }
+  }
+  EXPECT_EQ(shared.size(), static_cast<std::size_t>(GetParam().sharedFaces));
+}
+
 INSTANTIATE_TEST_SUITE_P(Data, AssemblySweepOfFiles,
-  testing::Values(Assembly{ "bolted_joint", 6, 25199.159054348504, 6062.035345410779 },
-    Assembly{ "flanged_pipe", 2, 127573.79447697433, 37020.52782990212 },
-    Assembly{ "lined_elbow", 3, 28424.46067513735, 5642.188796756752 },
-    Assembly{ "pad_on_plate", 2, 22775.22131576613, 7784.991118430778 },
-    Assembly{ "pin_in_plate", 2, 26940.530723760046, 7780.176907920016 },
-    Assembly{ "sector_ring", 6, 42411.50082346221, 12723.45024703866 },
-    Assembly{ "tee_blocks", 2, 7599.999999999999, 3119.9999999999995 },
-    Assembly{ "three_blocks", 3, 3072.0, 1528.0 }),
+  testing::Values(Assembly{ "bolted_joint", 6, 25199.159054348504, 6062.035345410779, 8 },
+    Assembly{ "flanged_pipe", 2, 127573.79447697433, 37020.52782990212, 1 },
+    Assembly{ "lined_elbow", 3, 28424.46067513735, 5642.188796756752, 2 },
+    Assembly{ "pad_on_plate", 2, 22775.22131576613, 7784.991118430778, 1 },
+    Assembly{ "pin_in_plate", 2, 26940.530723760046, 7780.176907920016, 1 },
+    Assembly{ "sector_ring", 6, 42411.50082346221, 12723.45024703866, 6 },
+    Assembly{ "tee_blocks", 2, 7599.999999999999, 3119.9999999999995, 1 },
+    Assembly{ "three_blocks", 3, 3072.0, 1528.0, 2 }),
   [](const testing::TestParamInfo<Assembly>& given) { return given.param.name; });
 
 //------------------------------------------------------------------------------
@@ -259,6 +303,88 @@ TEST(AssemblySweep, OutputsAVolumeASetThatShareGlobalIds)
     }
   }
   EXPECT_GT(between, 4);
+}
+
+//------------------------------------------------------------------------------
+/// Whether each node inside a face has four quads of it.
+bool isStructured(vtkUnstructuredGrid* quads, int face)
+{
+  std::map<vtkIdType, int> uses;
+  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
+  for (vtkIdType q = 0; q < quads->GetNumberOfCells(); ++q)
+  {
+    if (static_cast<int>(quads->GetCellData()->GetArray("BoundaryId")->GetTuple1(q)) != face)
+    {
+      continue;
+    }
+    vtkNew<vtkIdList> corners;
+    quads->GetCellPoints(q, corners);
+    for (vtkIdType c = 0; c < 4; ++c)
+    {
+      ++uses[corners->GetId(c)];
+      ++edges[std::minmax({ corners->GetId(c), corners->GetId((c + 1) % 4) })];
+    }
+  }
+  std::set<vtkIdType> rim;
+  for (const auto& [ends, count] : edges)
+  {
+    if (count == 1)
+    {
+      rim.insert({ ends.first, ends.second });
+    }
+  }
+  return !uses.empty() && std::all_of(uses.begin(), uses.end(), [&](const auto& use) {
+    return rim.count(use.first) > 0 || use.second == 4;
+  });
+}
+
+// The side of one block is the cap of the other: its quads are rows and layers.
+TEST(AssemblySweep, CapsOnSidesAreStructured)
+{
+  Swept swept(dataFile("tee_blocks"), 1.0);
+  auto* quads = vtkUnstructuredGrid::SafeDownCast(swept.sweep->GetOutputDataObject(1));
+  EXPECT_TRUE(isStructured(quads, 3));
+}
+
+// Three sweeps within each other, along a bend: sides are shared whole.
+TEST(AssemblySweep, NestedSweepsHaveTheSameLayers)
+{
+  Swept swept(dataFile("lined_elbow"), 2.0);
+  auto* quads = vtkUnstructuredGrid::SafeDownCast(swept.sweep->GetOutputDataObject(1));
+  EXPECT_TRUE(isStructured(quads, 4));
+  EXPECT_TRUE(isStructured(quads, 7));
+  vtkDataArray* layers = swept.grid()->GetFieldData()->GetArray("SweepReportLayers");
+  ASSERT_EQ(layers->GetNumberOfTuples(), 3);
+  EXPECT_EQ(layers->GetTuple1(0), layers->GetTuple1(1));
+  EXPECT_EQ(layers->GetTuple1(0), layers->GetTuple1(2));
+}
+
+// Six sectors in a circle: the last one ends where the first began.
+TEST(AssemblySweep, AStackThatClosesUponItselfFits)
+{
+  vtkNew<vtkCADReader> reader;
+  reader->SetFileName(dataFile("sector_ring").c_str());
+  vtkNew<vtkAssemblySweep> sweep;
+  const test::Events events(sweep);
+  sweep->SetInputConnection(reader->GetOutputPort());
+  sweep->SetSize(3.0);
+  sweep->MergedOn();
+  // From face to face round the ring, in place of from bottom to top.
+  const int faces[7] = { 5, 6, 11, 16, 21, 26, 5 };
+  for (int v = 1; v <= 6; ++v)
+  {
+    sweep->AddVolumeSource(v, faces[v - 1]);
+    sweep->AddVolumeTarget(v, faces[v]);
+  }
+  sweep->Update();
+  ASSERT_TRUE(events.errors.empty()) << events.errors.front();
+  ASSERT_TRUE(events.warnings.empty()) << events.warnings.front();
+  vtkUnstructuredGrid* hexes = gridOf(sweep);
+  EXPECT_EQ(report(hexes, "NotCertified"), 0.0);
+  const HexFaces conforming(hexes);
+  EXPECT_EQ(conforming.most, 2);
+  constexpr double OuterArea = 12723.45024703866; // case.json
+  EXPECT_NEAR(conforming.skinArea, OuterArea, 0.01 * OuterArea);
 }
 
 //------------------------------------------------------------------------------
@@ -341,6 +467,79 @@ TEST(AssemblySweep, AVolumeThatCannotBeSweptIsNamedWithItsFaces)
       BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(5, 5, 10), gp_Dir(0, 0, 1)), 3.0, 0.0, 4.0).Shape() });
   const std::string error = refusalOf(file);
   EXPECT_NE(error.find("volume 2"), std::string::npos) << error;
+}
+
+//------------------------------------------------------------------------------
+/// The filter's one warning about blocks as the reader gives them without imprinting.
+std::string warningAbout(const std::vector<TopoDS_Shape>& shapes)
+{
+  vtkNew<vtkCADReader> reader;
+  reader->SetFileName(fileOf("neighbours", shapes).c_str());
+  reader->ImprintAndMergeOff();
+  vtkNew<vtkAssemblySweep> sweep;
+  const test::Events events(sweep);
+  sweep->SetInputConnection(reader->GetOutputPort());
+  sweep->SetSize(2.0);
+  sweep->Update();
+  EXPECT_TRUE(events.errors.empty()) << events.errors.front();
+  EXPECT_EQ(events.warnings.size(), 1U);
+  return events.warnings.empty() ? std::string() : events.warnings.front();
+}
+
+TEST(AssemblySweep, SaysOnceHowVolumesLieWrong)
+{
+  const TopoDS_Shape first = block(0, 0, 0, 10, 10, 10);
+  const auto expectWords = [](const std::string& warning, const std::string& words) {
+    EXPECT_NE(warning.find(words), std::string::npos) << warning;
+  };
+  expectWords(warningAbout({ first, block(5, 5, 5, 10, 10, 10) }), "overlap at (");
+  // Bars that cross: no corner of one lies in the other.
+  expectWords(warningAbout({ block(-10, 0, 0, 20, 2, 2), block(-1, -10, 0.5, 2, 20, 1) }),
+    "go through or lie upon each other");
+  expectWords(warningAbout({ first, block(2, 3, 4, 2, 2, 2) }), "(\"Solid 2\") lies in volume 1");
+  expectWords(warningAbout({ first, block(0, 0, 0, 10, 10, 10) }), "are the same body");
+  expectWords(warningAbout({ first, block(0, 0, 10.0005, 10, 10, 5) }), "are 0.0005 apart");
+  // They touch and were not imprinted.
+  expectWords(warningAbout({ first, block(1, 1, 10, 4, 4, 4) }), "without sharing a face");
+}
+
+TEST(AssemblySweep, VolumesThatAreFarFromEachOtherGiveNoWarning)
+{
+  Swept swept(fileOf("apart", { block(0, 0, 0, 4, 4, 4), block(5, 0, 0, 4, 4, 4) }), 1.0);
+  EXPECT_TRUE(swept.events.errors.empty());
+  EXPECT_TRUE(swept.events.warnings.empty()) << swept.events.warnings.front();
+  EXPECT_EQ(volumesIn(swept.grid()).size(), 2U);
+}
+
+//------------------------------------------------------------------------------
+// Blocks whose sides share layers, asked for different numbers of them.
+TEST(AssemblySweep, NumbersOfLayersThatContradictEachOtherAreRefusedInWords)
+{
+  vtkNew<vtkCADReader> reader;
+  reader->SetFileName(
+    fileOf("beside", { block(0, 0, 0, 4, 4, 4), block(4, 0, 0, 4, 4, 4) }).c_str());
+  vtkNew<vtkAssemblySweep> sweep;
+  const test::Events events(sweep);
+  sweep->SetInputConnection(reader->GetOutputPort());
+  sweep->SetSize(1.0);
+  sweep->AddVolumeLayers(1, 3);
+  sweep->AddVolumeLayers(2, 5);
+  // Top and bottom are caps of both, so that the face between them is a side of both.
+  for (const int volume : { 1, 2 })
+  {
+    reader->Update();
+    const auto [bottom, top] = facesAcross(reader, static_cast<unsigned int>(volume - 1));
+    sweep->AddVolumeSource(volume, bottom);
+    sweep->AddVolumeTarget(volume, top);
+  }
+  sweep->Update();
+  ASSERT_EQ(events.errors.size(), 1U);
+  EXPECT_NE(events.errors.front().find("contradict"), std::string::npos) << events.errors.front();
+  EXPECT_NE(events.errors.front().find("volume 2"), std::string::npos) << events.errors.front();
+  sweep->RemoveAllVolumeLayers();
+  sweep->AddVolumeLayers(1, 3);
+  sweep->Update();
+  EXPECT_EQ(gridOf(sweep, 1)->GetFieldData()->GetArray("SweepReportLayers")->GetTuple1(0), 3.0);
 }
 
 //------------------------------------------------------------------------------

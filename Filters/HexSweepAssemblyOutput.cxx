@@ -70,9 +70,9 @@ void addPlan(const AssemblySweep& sweep, const std::vector<std::size_t>& volumes
   for (const std::size_t v : volumes)
   {
     ids.push_back(labels.ids[v]);
-    layers.push_back(sweep.intervals.layers[v]);
-    sources.push_back(textOf(idsOfFaces(sweep.complex, sweep.plan.sweeps[v].sources)));
-    targets.push_back(textOf(idsOfFaces(sweep.complex, sweep.plan.sweeps[v].targets)));
+    layers.push_back(sweep.planned.intervals.layers[v]);
+    sources.push_back(textOf(idsOfFaces(sweep.planned.complex, sweep.planned.plan.sweeps[v].sources)));
+    targets.push_back(textOf(idsOfFaces(sweep.planned.complex, sweep.planned.plan.sweeps[v].targets)));
   }
   addIds(grid->GetFieldData(), reports::VolumeIds, ids);
   addIds(grid->GetFieldData(), reports::Layers, layers);
@@ -82,7 +82,7 @@ void addPlan(const AssemblySweep& sweep, const std::vector<std::size_t>& volumes
 
 void addReports(const AssemblySweep& sweep, vtkUnstructuredGrid* grid)
 {
-  addReport(grid->GetFieldData(), reports::Size, sweep.size);
+  addReport(grid->GetFieldData(), reports::Size, sweep.planned.size);
   std::vector<std::string> names;
   std::vector<double> seconds;
   for (const Stage& stage : sweep.stages)
@@ -177,7 +177,7 @@ private:
 /// What a face is to a volume: 0 source, 1 target, 2 side.
 unsigned char partOf(const AssemblySweep& sweep, Index volume, Index face)
 {
-  const SweepLayout& layout = sweep.plan.sweeps[static_cast<std::size_t>(volume)];
+  const SweepLayout& layout = sweep.planned.plan.sweeps[static_cast<std::size_t>(volume)];
   const auto has = [face](const std::vector<Index>& faces) {
     return std::binary_search(faces.begin(), faces.end(), face);
   };
@@ -301,7 +301,7 @@ Index writeAssemblyBoundary(
   Index missing = 0;
   for (const AssemblyQuad& quad : assemblyBoundary(sweep))
   {
-    const ComplexFace& face = sweep.complex.faces[static_cast<std::size_t>(quad.face)];
+    const ComplexFace& face = sweep.planned.complex.faces[static_cast<std::size_t>(quad.face)];
     std::array<Index, 2> volumes{ 0, 0 };
     std::array<Index, 2> hexNumbers{ -1, -1 };
     for (std::size_t s = 0; s < face.volumes.size(); ++s)

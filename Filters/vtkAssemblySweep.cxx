@@ -169,11 +169,10 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
       layersOf(this->Layers, body.volumeId) };
     volumes.push_back(std::move(volume));
   }
-  AssemblySettings settings;
-  settings.size = this->Size;
-  settings.parallelFor = smpFor();
-  const AssemblySweep sweep = sweepAssembly(volumes, settings, pipelineProgress(this, 0.05, 0.95));
-  for (const std::string& warning : sweep.warnings)
+  PlannedAssembly planned = planVolumes(volumes, this->Size, pipelineProgress(this, 0.05, 0.15));
+  const AssemblySweep sweep = sweepAssembly(
+    volumes, std::move(planned), {}, smpFor(), pipelineProgress(this, 0.15, 0.95));
+  for (const std::string& warning : sweep.planned.warnings)
   {
     vtkWarningMacro(<< warning);
   }

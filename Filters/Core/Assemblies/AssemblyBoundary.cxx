@@ -65,9 +65,9 @@ std::vector<AssemblyQuad> assemblyBoundary(const AssemblySweep& sweep)
   {
     const Index row = static_cast<Index>(v);
     const auto sides = outerSides(sweep.volumes[v], row, sweep.boundary.nodes.size());
-    for (const Index face : sweep.complex.volumes[v].faces)
+    for (const Index face : sweep.planned.complex.volumes[v].faces)
     {
-      const std::size_t place = sweep.complex.faces[at(face)].volumes.front() == row ? 0 : 1;
+      const std::size_t place = sweep.planned.complex.faces[at(face)].volumes.front() == row ? 0 : 1;
       for (std::size_t q = begins[at(face)]; q < begins[at(face) + 1]; ++q)
       {
         const auto found = sides.find(sorted(result[q].nodes));

@@ -26,6 +26,7 @@ constexpr double NarrowGap = 1e-3;
 constexpr double SameBox = 1e-6;
 
 using Box = Eigen::AlignedBox3d;
+using VolumePair = std::pair<Index, Index>; // lower one first
 
 Box boxOf(const SolidSurface& solid)
 {
@@ -87,18 +88,43 @@ public:
     }
   }
 
+  /// Volumes whose boxes, with a gap between them, have something in common, rising.
+  std::vector<VolumePair> nearPairs() const
+  {
+    std::vector<Box> wide = this->Boxes;
+    std::vector<std::size_t> byStart(wide.size());
+    for (std::size_t v = 0; v < wide.size(); ++v)
+    {
+      const double gap = NarrowGap * wide[v].diagonal().norm();
+      wide[v].min().array() -= gap;
+      wide[v].max().array() += gap;
+      byStart[v] = v;
+    }
+    std::sort(byStart.begin(), byStart.end(),
+      [&](std::size_t a, std::size_t b) { return wide[a].min()[0] < wide[b].min()[0]; });
+    std::vector<VolumePair> pairs;
+    for (std::size_t i = 0; i < byStart.size(); ++i)
+    {
+      const Box& own = wide[byStart[i]];
+      for (std::size_t j = i + 1;
+           j < byStart.size() && wide[byStart[j]].min()[0] <= own.max()[0]; ++j)
+      {
+        if (own.intersects(wide[byStart[j]]))
+        {
+          pairs.push_back(
+            std::minmax({ static_cast<Index>(byStart[i]), static_cast<Index>(byStart[j]) }));
+        }
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+
   /// @return a sentence, empty where there is nothing to say.
   std::string describe(std::size_t a, std::size_t b)
   {
     const double size =
       std::min(this->Boxes[a].diagonal().norm(), this->Boxes[b].diagonal().norm());
-    Box wide = this->Boxes[a];
-    wide.min().array() -= NarrowGap * size;
-    wide.max().array() += NarrowGap * size;
-    if (!wide.intersects(this->Boxes[b]))
-    {
-      return {};
-    }
     const Lie ofA = lieOf(this->Solids[a]->points, this->search(b), size);
     const Lie ofB = lieOf(this->Solids[b]->points, this->search(a), size);
     const std::string both = this->Names[a] + " and " + this->Names[b];
@@ -151,8 +177,6 @@ private:
   std::vector<std::unique_ptr<SurfaceSearch>> Searches;
 };
 
-using VolumePair = std::pair<Index, Index>; // lower one first
-
 /// A place where triangles of different volumes go through or lie upon each other.
 std::string describeCrossing(
   const AssemblyComplex& complex, const std::vector<std::string>& names, VolumePair& pair)
@@ -192,21 +216,14 @@ std::vector<std::string> describeNeighbours(const AssemblyComplex& complex,
   std::vector<std::string> sentences;
   std::set<VolumePair> told;
   NeighbourCheck check(solids, names);
-  for (std::size_t a = 0; a < solids.size(); ++a)
+  for (const VolumePair& pair : check.nearPairs())
   {
-    for (std::size_t b = a + 1; b < solids.size(); ++b)
+    std::string sentence =
+      share.count(pair) > 0 ? std::string() : check.describe(at(pair.first), at(pair.second));
+    if (!sentence.empty())
     {
-      const VolumePair pair{ static_cast<Index>(a), static_cast<Index>(b) };
-      if (share.count(pair) > 0)
-      {
-        continue;
-      }
-      std::string sentence = check.describe(a, b);
-      if (!sentence.empty())
-      {
-        sentences.push_back(std::move(sentence));
-        told.insert(pair);
-      }
+      sentences.push_back(std::move(sentence));
+      told.insert(pair);
     }
   }
   VolumePair pair;

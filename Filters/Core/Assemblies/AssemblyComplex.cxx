@@ -68,7 +68,7 @@ std::string nameOfFace(Index id)
 }
 
 /// Collects faces and triangles, volume after volume.
-void addSolids(const std::vector<SolidSurface>& solids, AssemblyComplex& complex)
+void addSolids(const std::vector<const SolidSurface*>& solids, AssemblyComplex& complex)
 {
   PlaceNumbers places;
   std::map<Index, Index> rowOfFace;
@@ -76,7 +76,7 @@ void addSolids(const std::vector<SolidSurface>& solids, AssemblyComplex& complex
   std::vector<std::set<std::array<Index, 3>>> again; // triangles that the second volume has
   for (std::size_t v = 0; v < solids.size(); ++v)
   {
-    const SolidSurface& solid = solids[v];
+    const SolidSurface& solid = *solids[v];
     std::set<Index> own;
     for (Index t = 0; t < solid.triangles.rows(); ++t)
     {
@@ -322,7 +322,7 @@ void traceFaceLoops(AssemblyComplex& complex)
 }
 }
 
-AssemblyComplex makeAssemblyComplex(const std::vector<SolidSurface>& solids)
+AssemblyComplex makeAssemblyComplex(const std::vector<const SolidSurface*>& solids)
 {
   AssemblyComplex complex;
   addSolids(solids, complex);

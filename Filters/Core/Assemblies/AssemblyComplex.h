@@ -67,7 +67,7 @@ struct AssemblyComplex
  * @throw InvalidInput naming a face that more than two solids have, or that two have with different
  *        triangles, and where the border of a face touches itself.
  */
-AssemblyComplex makeAssemblyComplex(const std::vector<SolidSurface>& solids);
+AssemblyComplex makeAssemblyComplex(const std::vector<const SolidSurface*>& solids);
 
 /// Finds curves and loops anew, after faces were cut.
 void traceCurves(AssemblyComplex& complex);

@@ -67,6 +67,7 @@ AssemblyMesh divideCurves(const AssemblyComplex& complex, const AssemblyGeometry
     }
     mesh.curves.push_back(std::move(divided));
   }
+  mesh.curveNodes = mesh.nodes.size();
   return mesh;
 }
 

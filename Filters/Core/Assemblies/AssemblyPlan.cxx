@@ -49,8 +49,10 @@ public:
   {
     for (std::size_t v = 0; v < volumes.size(); ++v)
     {
-      this->Layouts.push_back(&volumes[v].options[choice[v]].layout);
-      this->IsFixed.push_back(volumes[v].options[choice[v]].fixed);
+      const bool isThere = !volumes[v].options.empty();
+      this->Layouts.push_back(isThere ? &volumes[v].options[choice[v]].layout : &this->None);
+      this->IsFixed.push_back(isThere && volumes[v].options[choice[v]].fixed);
+      this->IsThere.push_back(isThere);
     }
   }
 
@@ -61,13 +63,18 @@ public:
     const std::size_t count = this->Layouts.size();
     this->IsTurned.assign(count, false);
     this->IsDone.assign(count, false);
+    result.stackOf.assign(count, -1);
     for (std::size_t v = 0; v < count; ++v)
     {
-      if (this->IsDone[v])
+      if (this->IsDone[v] || !this->IsThere[v])
       {
         continue;
       }
       const std::vector<Index> stack = this->stackOf(static_cast<Index>(v));
+      for (const Index volume : stack)
+      {
+        result.stackOf[at(volume)] = static_cast<Index>(v);
+      }
       if (!this->orderStack(stack, result.order, why))
       {
         return std::nullopt;
@@ -95,11 +102,16 @@ private:
     return isCap ? FaceRole::Cap : FaceRole::Side;
   }
 
-  /// The other volume of a face, or -1.
+  /// The other volume of a face, or -1 where there is none that is swept.
   Index beyond(Index volume, Index face) const
   {
     const std::vector<Index>& volumes = this->Complex.faces[at(face)].volumes;
-    return volumes.size() < 2 ? -1 : volumes[volumes[0] == volume ? 1 : 0];
+    if (volumes.size() < 2)
+    {
+      return -1;
+    }
+    const Index other = volumes[volumes[0] == volume ? 1 : 0];
+    return this->IsThere[at(other)] ? other : -1;
   }
 
   /// Volumes that are joined cap to cap, directly or by others, rising.
@@ -271,6 +283,8 @@ private:
   const CanCarry& Carries;
   std::vector<const SweepLayout*> Layouts;
   std::vector<bool> IsFixed;
+  std::vector<bool> IsThere;
+  SweepLayout None;
   std::vector<bool> IsTurned;
   std::vector<bool> IsDone;
 };
@@ -280,7 +294,9 @@ double costOf(const std::vector<VolumeOptions>& volumes, const Choice& choice)
   double cost = 0.0;
   for (std::size_t v = 0; v < volumes.size(); ++v)
   {
-    cost -= std::log(std::max(1e-6, volumes[v].options[choice[v]].score));
+    cost -= volumes[v].options.empty()
+      ? 0.0
+      : std::log(std::max(1e-6, volumes[v].options[choice[v]].score));
   }
   return cost;
 }

@@ -25,7 +25,7 @@ struct SweepOption
 /// All ways for a volume, best first.
 struct VolumeOptions
 {
-  std::vector<SweepOption> options;
+  std::vector<SweepOption> options; ///< none: the volume is left out
   std::vector<std::string> refused; ///< why others are none
 };
 
@@ -42,7 +42,7 @@ struct NamedSweep
  * layOutSides().
  *
  * @param solid the volume's surface.
- * @throw InvalidInput where named caps cannot be swept between.
+ * @throw InvalidInput where there is none, and where named caps cannot be swept between.
  */
 VolumeOptions sweepOptions(const AssemblyComplex& complex, Index volume, const SolidSurface& solid,
   const NamedSweep& named = {});
@@ -53,6 +53,8 @@ struct AssemblyPlan
   /// All volumes in the order in which their caps are meshed: a volume whose source cap has faces
   /// of another's target comes after it.
   std::vector<Index> order;
+  /// One a volume: the first volume of those that are joined to it cap to cap, the stack.
+  std::vector<Index> stackOf;
 };
 
 /// Whether borders of a volume's target cap can be carried to its source cap.

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Assemblies/AssemblySweep.h"
 
-#include "Core/Assemblies/AssemblyChecks.h"
 #include "Core/Assemblies/CapFaces.h"
-#include "Core/Assemblies/CapImprint.h"
 #include "Core/Assemblies/FaceGrid.h"
-#include "Core/CapQuads/CapMeshing.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -19,55 +14,86 @@ namespace hexsweep
 {
 namespace
 {
-constexpr double MostDefaultHexes = 4e5;
-
-/// Runs what may throw about a volume, with its name.
+/// Runs what may throw about a volume; an error becomes the volume's problem.
 template <typename Call>
-auto aboutVolume(const AssemblyVolume& volume, Call&& call)
+void fillOrTell(SweptVolume& volume, Call&& call)
 {
   try
   {
-    return call();
+    call();
   }
   catch (const InvalidInput& error)
   {
-    throw InvalidInput(volume.name + ": " + error.what());
+    volume.problem = error.what();
   }
   catch (const SolverFailure& error)
   {
-    throw SolverFailure(volume.name + ": " + error.what());
+    volume.problem = error.what();
   }
 }
 
-double volumeOf(const SolidSurface& solid)
+/// Whether the caps of a volume are needed: its own, or those of others of its stack.
+std::vector<bool> neededVolumes(const AssemblySweep& sweep)
 {
-  double volume = 0.0;
-  const Eigen::RowVector3d origin = solid.points.row(0);
-  for (Index t = 0; t < solid.triangles.rows(); ++t)
+  const std::vector<Index>& stackOf = sweep.planned.plan.stackOf;
+  std::set<Index> stacks;
+  for (std::size_t v = 0; v < stackOf.size(); ++v)
   {
-    const Eigen::RowVector3d a = solid.points.row(solid.triangles(t, 0)) - origin;
-    const Eigen::RowVector3d b = solid.points.row(solid.triangles(t, 1)) - origin;
-    const Eigen::RowVector3d c = solid.points.row(solid.triangles(t, 2)) - origin;
-    volume += a.dot(b.cross(c)) / 6.0;
+    if (sweep.volumes[v].isMine && stackOf[v] >= 0)
+    {
+      stacks.insert(stackOf[v]);
+    }
   }
-  return volume;
+  std::vector<bool> needed;
+  for (const Index stack : stackOf)
+  {
+    needed.push_back(stacks.count(stack) > 0);
+  }
+  return needed;
 }
 
-/// Structured quads on all faces that are sides of a volume.
-void meshSides(const AssemblyGeometry& geometry, AssemblySweep& sweep)
+/// Structured quads on all faces of the volumes that are sides of some volume.
+void meshSides(const AssemblyGeometry& geometry, const std::vector<bool>& needed, AssemblySweep& sweep)
 {
-  std::set<Index> done;
-  for (const SweepLayout& layout : sweep.plan.sweeps)
+  const PlannedAssembly& planned = sweep.planned;
+  std::set<Index> wanted;
+  for (std::size_t v = 0; v < needed.size(); ++v)
+  {
+    if (needed[v])
+    {
+      const std::vector<Index>& own = planned.complex.volumes[v].faces;
+      wanted.insert(own.begin(), own.end());
+    }
+  }
+  for (const SweepLayout& layout : planned.plan.sweeps)
   {
     for (const SideFace& side : layout.sides)
     {
-      if (done.insert(side.face).second)
+      if (wanted.erase(side.face) > 0)
       {
-        meshSideFace(
-          sweep.complex, geometry, side, sweep.intervals.tubeLayers[at(side.face)], sweep.boundary);
+        meshSideFace(planned.complex, geometry, side,
+          planned.intervals.tubeLayers[at(side.face)], sweep.boundary);
       }
     }
   }
+}
+
+/// Quads on the caps of a volume.
+VolumeCage meshCaps(const AssemblyGeometry& geometry, Index volume, const ParallelFor& parallelFor,
+  const Progress& progress, AssemblySweep& sweep)
+{
+  const PlannedAssembly& planned = sweep.planned;
+  const SweepLayout& layout = planned.plan.sweeps[at(volume)];
+  for (const Index face : layout.sources)
+  {
+    if (sweep.boundary.faces[at(face)].rows() == 0)
+    {
+      meshCapFace(planned.complex, geometry, face, planned.size, sweep.boundary,
+        progressPart(progress, 0.0, 0.5), parallelFor);
+    }
+  }
+  return carryToTarget(planned.complex, geometry, volume, layout, sweep.boundary,
+    progressPart(progress, 0.5, 1.0), parallelFor);
 }
 
 /// The nodes of a volume in the numbers of the assembly; those inside get new ones.
@@ -106,100 +132,41 @@ Points placesOfAll(const AssemblySweep& sweep, Index count)
 }
 }
 
-double defaultAssemblySize(const AssemblyComplex& complex, const AssemblyPlan& plan,
-  const std::vector<AssemblyVolume>& volumes)
-{
-  double size = std::numeric_limits<double>::infinity();
-  double all = 0.0;
-  for (std::size_t v = 0; v < volumes.size(); ++v)
-  {
-    size = std::min(
-      size, defaultQuadSize(meshOfFaces(complex, static_cast<Index>(v), plan.sweeps[v].sources)));
-    all += std::abs(volumeOf(volumes[v].surface));
-  }
-  return std::max(size, std::cbrt(all / MostDefaultHexes));
-}
-
-AssemblySweep sweepAssembly(const std::vector<AssemblyVolume>& volumes,
-  const AssemblySettings& settings, const Progress& progress)
+AssemblySweep sweepAssembly(const std::vector<AssemblyVolume>& volumes, PlannedAssembly planned,
+  const std::vector<bool>& isMine, const ParallelFor& parallelFor, const Progress& progress)
 {
   AssemblySweep result;
   StageClock stages;
-  std::vector<SolidSurface> surfaces;
+  result.planned = std::move(planned);
   AssemblyGeometry::Solids geometries;
-  for (const AssemblyVolume& volume : volumes)
-  {
-    surfaces.push_back(volume.surface);
-    geometries.push_back(volume.geometry);
-  }
-  result.complex = makeAssemblyComplex(surfaces);
-  surfaces.clear();
-  std::vector<const SolidSurface*> solids;
-  std::vector<std::string> names;
-  for (const AssemblyVolume& volume : volumes)
-  {
-    solids.push_back(&volume.surface);
-    names.push_back(volume.name);
-  }
-  result.warnings = describeNeighbours(result.complex, solids, names);
-  stages.finish("Faces and curves");
-  const double count = static_cast<double>(volumes.size());
-  std::vector<VolumeOptions> options(volumes.size());
   for (std::size_t v = 0; v < volumes.size(); ++v)
   {
-    reportProgress(progress, 0.1 * static_cast<double>(v) / count);
-    options[v] = aboutVolume(volumes[v], [&] {
-      return sweepOptions(
-        result.complex, static_cast<Index>(v), volumes[v].surface, volumes[v].named);
-    });
+    geometries.push_back(volumes[v].geometry);
+    result.volumes.emplace_back();
+    result.volumes.back().isMine = isMine.empty() || isMine[v];
+    result.volumes.back().problem = result.planned.problems[v];
   }
-  result.plan = planAssembly(result.complex, options, [&](Index volume, const SweepLayout& layout) {
-    return capMapOf(result.complex, layout, *solids[at(volume)]).has_value();
-  });
-  result.size =
-    settings.size > 0.0 ? settings.size : defaultAssemblySize(result.complex, result.plan, volumes);
-  imprintTargets(solids, result.size, result.complex, result.plan);
-  stages.finish("Plan");
-  std::vector<Index> layers;
-  for (const AssemblyVolume& volume : volumes)
-  {
-    layers.push_back(volume.named.layers);
-  }
-  result.intervals = assemblyIntervals(result.complex, result.plan, result.size, layers);
-  stages.finish("Intervals");
-  const AssemblyGeometry geometry(result.complex, std::move(geometries));
-  result.boundary = divideCurves(result.complex, geometry, result.intervals.curves);
-  meshSides(geometry, result);
+  const AssemblyGeometry geometry(result.planned.complex, std::move(geometries));
+  result.boundary = divideCurves(result.planned.complex, geometry, result.planned.intervals.curves);
+  const std::vector<bool> needed = neededVolumes(result);
+  meshSides(geometry, needed, result);
   stages.finish("Linking sides");
 
-  result.volumes.resize(volumes.size());
+  const double count = static_cast<double>(volumes.size());
   std::vector<VolumeCage> cages(volumes.size());
   double done = 0.0;
-  for (const Index v : result.plan.order)
+  for (const Index v : result.planned.plan.order)
   {
-    const SweepLayout& layout = result.plan.sweeps[at(v)];
-    const Progress part =
-      progressPart(progress, 0.1 + 0.4 * done / count, 0.1 + 0.4 * (done + 1.0) / count);
-    try
+    if (needed[at(v)])
     {
-      for (const Index face : layout.sources)
-      {
-        if (result.boundary.faces[at(face)].rows() == 0)
+      fillOrTell(result.volumes[at(v)], [&] {
+        VolumeCage cage = meshCaps(geometry, v, parallelFor,
+          progressPart(progress, 0.4 * done / count, 0.4 * (done + 1.0) / count), result);
+        if (result.volumes[at(v)].isMine)
         {
-          meshCapFace(result.complex, geometry, face, result.size, result.boundary,
-            progressPart(part, 0.0, 0.5), settings.parallelFor);
+          cages[at(v)] = std::move(cage);
         }
-      }
-      cages[at(v)] = carryToTarget(result.complex, geometry, v, layout, result.boundary,
-        progressPart(part, 0.5, 1.0), settings.parallelFor);
-    }
-    catch (const InvalidInput& error)
-    {
-      result.volumes[at(v)].problem = error.what();
-    }
-    catch (const SolverFailure& error)
-    {
-      result.volumes[at(v)].problem = error.what();
+      });
     }
     done += 1.0;
   }
@@ -208,20 +175,22 @@ AssemblySweep sweepAssembly(const std::vector<AssemblyVolume>& volumes,
   for (std::size_t v = 0; v < volumes.size(); ++v)
   {
     SweptVolume& volume = result.volumes[v];
-    if (!volume.problem.empty())
+    if (!volume.problem.empty() || !volume.isMine)
     {
       continue;
     }
     const double begin = static_cast<double>(v) / count;
-    volume.hexes = fillVolume(cages[v],
-      progressPart(progress, 0.5 + 0.5 * begin, 0.5 + 0.5 * (begin + 1.0 / count)),
-      settings.parallelFor);
-    volume.nodes = numberNodes(cages[v], next);
+    fillOrTell(volume, [&] {
+      volume.hexes = fillVolume(cages[v],
+        progressPart(progress, 0.4 + 0.6 * begin, 0.4 + 0.6 * (begin + 1.0 / count)), parallelFor);
+      volume.nodes = numberNodes(cages[v], next);
+    });
     cages[v] = {};
   }
   stages.finish("Hexahedra");
   result.nodes = placesOfAll(result, next);
-  result.stages = stages.stages();
+  result.stages = result.planned.stages;
+  result.stages.insert(result.stages.end(), stages.stages().begin(), stages.stages().end());
   return result;
 }
 }

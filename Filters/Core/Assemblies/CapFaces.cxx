@@ -127,6 +127,7 @@ void meshCapFace(const AssemblyComplex& complex, const AssemblyGeometry& geometr
       ++curve;
     }
   }
+  const Index begin = mesh.nodes.size();
   Quads quads = std::move(made.mesh.quads);
   for (Index q = 0; q < quads.rows(); ++q)
   {
@@ -140,6 +141,7 @@ void meshCapFace(const AssemblyComplex& complex, const AssemblyGeometry& geometr
       quads(q, c) = node;
     }
   }
+  mesh.blocks.push_back({ face, begin, mesh.nodes.size() - begin });
   mesh.faces[at(face)] = std::move(quads);
 }
 }

@@ -321,6 +321,7 @@ void meshTube(const AssemblyComplex& complex, const AssemblyGeometry& geometry,
 void meshSideFace(const AssemblyComplex& complex, const AssemblyGeometry& geometry,
   const SideFace& side, Index layers, AssemblyMesh& mesh)
 {
+  const Index begin = mesh.nodes.size();
   if (side.isTube())
   {
     meshTube(complex, geometry, side, layers, mesh);
@@ -329,5 +330,6 @@ void meshSideFace(const AssemblyComplex& complex, const AssemblyGeometry& geomet
   {
     meshQuadrilateral(complex, geometry, side, mesh);
   }
+  mesh.blocks.push_back({ side.face, begin, mesh.nodes.size() - begin });
 }
 }

@@ -132,6 +132,7 @@ std::vector<Index> projectToTarget(const AssemblyComplex& complex, const Assembl
     }
   }
   snapToFaces(complex, geometry, volume, layout.targets, source.quads, isFixed, points);
+  const Index begin = mesh.nodes.size();
   std::vector<Index> nodes = known;
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
@@ -140,6 +141,8 @@ std::vector<Index> projectToTarget(const AssemblyComplex& complex, const Assembl
       nodes[i] = mesh.nodes.add(points.row(static_cast<Index>(i)));
     }
   }
+  mesh.blocks.push_back({ static_cast<Index>(complex.faces.size()) + volume, begin,
+    mesh.nodes.size() - begin });
   return nodes;
 }
 

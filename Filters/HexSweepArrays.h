@@ -80,6 +80,8 @@ constexpr const char* HexIds = "HexIds";
 constexpr const char* HexSides = "HexSides";
 /// Points, global ids: the same for points that volumes of an assembly share.
 constexpr const char* GlobalNodeIds = "GlobalNodeIds";
+/// Cells, global ids: of hexahedra of an assembly.
+constexpr const char* GlobalCellIds = "GlobalCellIds";
 
 // Side sets and node sets.
 

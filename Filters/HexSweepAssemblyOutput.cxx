@@ -71,8 +71,10 @@ void addPlan(const AssemblySweep& sweep, const std::vector<std::size_t>& volumes
   {
     ids.push_back(labels.ids[v]);
     layers.push_back(sweep.planned.intervals.layers[v]);
-    sources.push_back(textOf(idsOfFaces(sweep.planned.complex, sweep.planned.plan.sweeps[v].sources)));
-    targets.push_back(textOf(idsOfFaces(sweep.planned.complex, sweep.planned.plan.sweeps[v].targets)));
+    sources.push_back(
+      textOf(idsOfFaces(sweep.planned.complex, sweep.planned.plan.sweeps[v].sources)));
+    targets.push_back(
+      textOf(idsOfFaces(sweep.planned.complex, sweep.planned.plan.sweeps[v].targets)));
   }
   addIds(grid->GetFieldData(), reports::VolumeIds, ids);
   addIds(grid->GetFieldData(), reports::Layers, layers);
@@ -92,6 +94,25 @@ void addReports(const AssemblySweep& sweep, vtkUnstructuredGrid* grid)
   }
   addReport(grid->GetFieldData(), reports::Stages, names);
   addReport(grid->GetFieldData(), reports::Seconds, seconds);
+}
+
+/// Numbers of nodes.
+std::vector<Index> numbersOf(const NumberedAssembly& assembly, const std::vector<Index>& nodes)
+{
+  std::vector<Index> numbers;
+  for (const Index node : nodes)
+  {
+    numbers.push_back(assembly.numbers.nodes[static_cast<std::size_t>(node)]);
+  }
+  return numbers;
+}
+
+/// Numbers of a volume's hexahedra.
+std::vector<Index> hexNumbers(const NumberedAssembly& assembly, std::size_t volume)
+{
+  std::vector<Index> numbers(assembly.sweep.volumes[volume].hexes.qualities.size());
+  std::iota(numbers.begin(), numbers.end(), assembly.numbers.firstHexes[volume]);
+  return numbers;
 }
 
 vtkSmartPointer<vtkIdTypeArray> globalIds(const char* name, const std::vector<Index>& ids)
@@ -122,14 +143,18 @@ void addGrid(
 {
   const unsigned int place = output->GetNumberOfPartitionedDataSets();
   vtkNew<vtkPartitionedDataSet> parts;
-  parts->SetPartition(0, grid);
+  if (grid)
+  {
+    parts->SetPartition(0, grid);
+  }
   output->SetPartitionedDataSet(place, parts);
   output->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), name.c_str());
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> volumeGrid(
-  const AssemblySweep& sweep, std::size_t v, const VolumeLabels& labels, vtkFieldData* fields)
+  const NumberedAssembly& assembly, std::size_t v, vtkFieldData* fields)
 {
+  const auto& [sweep, numbers, labels] = assembly;
   const SweptVolume& volume = sweep.volumes[v];
   const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->GetFieldData()->PassData(fields);
@@ -144,7 +169,9 @@ vtkSmartPointer<vtkUnstructuredGrid> volumeGrid(
   }
   setPoints(placesOf(sweep, volume), grid);
   setCells(grid, volume.hexes.hexes, VTK_HEXAHEDRON);
-  grid->GetPointData()->SetGlobalIds(globalIds(arrays::GlobalNodeIds, volume.nodes));
+  grid->GetPointData()->SetGlobalIds(
+    globalIds(arrays::GlobalNodeIds, numbersOf(assembly, volume.nodes)));
+  grid->GetCellData()->SetGlobalIds(globalIds(arrays::GlobalCellIds, hexNumbers(assembly, v)));
   addIds(grid->GetCellData(), arrays::VolumeId,
     std::vector<Index>(volume.hexes.qualities.size(), labels.ids[v]));
   setQualities(volume.hexes.qualities, grid);
@@ -211,8 +238,9 @@ MergedPoints mergedPoints(const AssemblySweep& sweep)
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
-  const AssemblySweep& sweep, const VolumeLabels& labels, vtkFieldData* fields)
+  const NumberedAssembly& assembly, vtkFieldData* fields)
 {
+  const auto& [sweep, numbers, labels] = assembly;
   const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->GetFieldData()->PassData(fields);
   Index count = 0;
@@ -224,6 +252,7 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
   std::vector<Index> volumeIds;
   std::vector<HexQuality> qualities;
   std::vector<std::string> methods;
+  std::vector<Index> hexIds;
   Index row = 0;
   const MergedPoints merged = mergedPoints(sweep);
   for (std::size_t v = 0; v < sweep.volumes.size(); ++v)
@@ -240,6 +269,8 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
     }
     qualities.insert(qualities.end(), volume.hexes.qualities.begin(), volume.hexes.qualities.end());
     methods.push_back(volume.hexes.method);
+    const std::vector<Index> own = hexNumbers(assembly, v);
+    hexIds.insert(hexIds.end(), own.begin(), own.end());
   }
   Points places(static_cast<Index>(merged.nodes.size()), 3);
   for (std::size_t i = 0; i < merged.nodes.size(); ++i)
@@ -248,7 +279,9 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
   }
   setPoints(places, grid);
   setCells(grid, hexes, VTK_HEXAHEDRON);
-  grid->GetPointData()->SetGlobalIds(globalIds(arrays::GlobalNodeIds, merged.nodes));
+  grid->GetPointData()->SetGlobalIds(
+    globalIds(arrays::GlobalNodeIds, numbersOf(assembly, merged.nodes)));
+  grid->GetCellData()->SetGlobalIds(globalIds(arrays::GlobalCellIds, hexIds));
   addIds(grid->GetCellData(), arrays::VolumeId, volumeIds);
   setQualities(qualities, grid);
   addReport(grid->GetFieldData(), reports::Method, methods);
@@ -260,23 +293,24 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
 }
 }
 
-void writeAssembly(const AssemblySweep& sweep, const VolumeLabels& labels, bool merged,
-  vtkFieldData* fields, vtkPartitionedDataSetCollection* output)
+void writeAssembly(const NumberedAssembly& assembly, bool merged, vtkFieldData* fields,
+  vtkPartitionedDataSetCollection* output)
 {
   if (merged)
   {
-    addGrid("Assembly", mergedGrid(sweep, labels, fields), output);
+    addGrid("Assembly", mergedGrid(assembly, fields), output);
     return;
   }
-  for (std::size_t v = 0; v < sweep.volumes.size(); ++v)
+  for (std::size_t v = 0; v < assembly.sweep.volumes.size(); ++v)
   {
-    addGrid(labels.names[v], volumeGrid(sweep, v, labels, fields), output);
+    addGrid(assembly.labels.names[v],
+      assembly.sweep.volumes[v].isMine ? volumeGrid(assembly, v, fields) : nullptr, output);
   }
 }
 
-Index writeAssemblyBoundary(
-  const AssemblySweep& sweep, const VolumeLabels& labels, vtkUnstructuredGrid* output)
+Index writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGrid* output)
 {
+  const auto& [sweep, numbers, labels] = assembly;
   std::vector<Index> firstHex;
   Index hexes = 0;
   for (const SweptVolume& volume : sweep.volumes)
@@ -303,16 +337,18 @@ Index writeAssemblyBoundary(
   {
     const ComplexFace& face = sweep.planned.complex.faces[static_cast<std::size_t>(quad.face)];
     std::array<Index, 2> volumes{ 0, 0 };
-    std::array<Index, 2> hexNumbers{ -1, -1 };
+    std::array<Index, 2> pair{ -1, -1 };
     for (std::size_t s = 0; s < face.volumes.size(); ++s)
     {
       const HexAtQuad& hex = quad.hexes[s];
-      missing += hex.volume < 0 ? 1 : 0;
-      volumes[s] = labels.ids[static_cast<std::size_t>(face.volumes[s])];
-      hexNumbers[s] =
-        hex.volume < 0 ? -1 : firstHex[static_cast<std::size_t>(hex.volume)] + hex.hex;
+      const auto volume = static_cast<std::size_t>(face.volumes[s]);
+      missing += hex.volume < 0 && sweep.volumes[volume].isMine ? 1 : 0;
+      volumes[s] = labels.ids[volume];
+      pair[s] = hex.volume < 0 ? -1 : numbers.firstHexes[volume] + hex.hex;
     }
-    const std::size_t own = quad.hexes[0].volume >= 0 ? 0 : 1;
+    // A quad between volumes of two ranks is the rank's that has the first one.
+    const auto first = static_cast<std::size_t>(face.volumes.front());
+    const std::size_t own = sweep.volumes[first].problem.empty() ? 0 : 1;
     if (quad.hexes[own].volume < 0)
     {
       continue;
@@ -330,11 +366,12 @@ Index writeAssemblyBoundary(
       quads.back()[c] = point;
     }
     faceIds.push_back(face.id);
-    hexIds.push_back(hexNumbers[own]);
+    hexIds.push_back(
+      firstHex[static_cast<std::size_t>(quad.hexes[own].volume)] + quad.hexes[own].hex);
     sides->InsertNextValue(static_cast<unsigned char>(quad.hexes[own].side));
     parts->InsertNextValue(partOf(sweep, face.volumes[own], quad.face));
     volumePairs.add(volumes);
-    hexPairs.add(hexNumbers);
+    hexPairs.add(pair);
     sidePairs.add({ quad.hexes[0].side, quad.hexes[1].side });
   }
   Points places(static_cast<Index>(nodes.size()), 3);
@@ -347,7 +384,8 @@ Index writeAssemblyBoundary(
     Eigen::Map<const Quads>(
       quads.empty() ? nullptr : quads.front().data(), static_cast<Index>(quads.size()), 4),
     VTK_QUAD);
-  output->GetPointData()->SetGlobalIds(globalIds(arrays::GlobalNodeIds, nodes));
+  output->GetPointData()->SetGlobalIds(
+    globalIds(arrays::GlobalNodeIds, numbersOf(assembly, nodes)));
   addIds(output->GetPointData(), arrays::HexPointIds, hexPoints);
   vtkCellData* cellData = output->GetCellData();
   addIds(cellData, arrays::BoundaryId, faceIds);

@@ -6,7 +6,7 @@
 #ifndef HexSweepAssemblyOutput_h
 #define HexSweepAssemblyOutput_h
 
-#include "Core/Assemblies/AssemblySweep.h"
+#include "Core/Assemblies/AssemblyNumbers.h"
 
 #include <string>
 #include <vector>
@@ -24,14 +24,21 @@ struct VolumeLabels
   std::vector<std::string> names;
 };
 
+/// A mesh with the numbers and names that it has in the output.
+struct NumberedAssembly
+{
+  const AssemblySweep& sweep;
+  const AssemblyNumbers& numbers;
+  const VolumeLabels& labels;
+};
+
 /// Writes output 0 of vtkAssemblySweep. @param fields of the solids, handed on to all grids.
-void writeAssembly(const AssemblySweep& sweep, const VolumeLabels& labels, bool merged,
-  vtkFieldData* fields, vtkPartitionedDataSetCollection* output);
+void writeAssembly(const NumberedAssembly& assembly, bool merged, vtkFieldData* fields,
+  vtkPartitionedDataSetCollection* output);
 
 /// Writes output 1, without quads that have no hexahedron. @return how often a quad has none where
 /// there is a volume.
-Index writeAssemblyBoundary(
-  const AssemblySweep& sweep, const VolumeLabels& labels, vtkUnstructuredGrid* output);
+Index writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGrid* output);
 }
 
 #endif

@@ -130,6 +130,13 @@ void passSolidFields(vtkDataSet* solid, vtkFieldData* fields)
 
 SolidPort readSolidPort(vtkInformationVector** inputs, int port, bool withGeometry)
 {
+  return inputs[port]->GetNumberOfInformationObjects() > 0
+    ? readSolids(vtkDataObject::GetData(inputs[port], 0), withGeometry)
+    : SolidPort();
+}
+
+SolidPort readSolids(vtkDataObject* given, bool withGeometry)
+{
   SolidPort result;
   const auto addGeometry = [&](vtkDataObject* data, Index volumeId) {
     std::string problem;
@@ -143,10 +150,10 @@ SolidPort readSolidPort(vtkInformationVector** inputs, int port, bool withGeomet
       result.problems.push_back(problem);
     }
   };
-  vtkCompositeDataSet* collection = vtkCompositeDataSet::GetData(inputs[port], 0);
+  auto* collection = vtkCompositeDataSet::SafeDownCast(given);
   if (!collection)
   {
-    result.data = inputDataSet(inputs, port);
+    result.data = vtkPointSet::SafeDownCast(given);
     addGeometry(result.data, 0);
     return result;
   }

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkDataSet;
 class vtkFieldData;
 class vtkInformation;
@@ -39,6 +40,9 @@ void acceptSolids(vtkInformation* portInformation);
 
 /// @param withGeometry whether the true surfaces are wanted.
 SolidPort readSolidPort(vtkInformationVector** inputs, int port, bool withGeometry);
+
+/// The same of data; nullptr: none.
+SolidPort readSolids(vtkDataObject* given, bool withGeometry);
 
 /// Hands on the field data of a solid that are for a mesh too: the geometry is the solid's alone.
 void passSolidFields(vtkDataSet* solid, vtkFieldData* fields);

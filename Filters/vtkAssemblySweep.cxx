@@ -5,6 +5,7 @@
 #include "HexSweepArrays.h"
 #include "HexSweepAssemblyOutput.h"
 #include "HexSweepBodies.h"
+#include "HexSweepRanks.h"
 #include "HexSweepRun.h"
 #include "HexSweepSolidPort.h"
 
@@ -138,11 +139,10 @@ int vtkAssemblySweep::RequestData(
 //------------------------------------------------------------------------------
 void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const SolidPort port = readSolidPort(inputs, 0, this->SnapToGeometry);
-  if (isIdleRank(outputs, { { port.data, "solid" } }))
-  {
-    return;
-  }
+  const Ranks ranks;
+  vtkDataObject* const given =
+    inputs[0]->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs[0], 0) : nullptr;
+  const SolidPort port = readSolids(ranks.ofFirst(given), this->SnapToGeometry);
   for (const std::string& problem : port.problems)
   {
     vtkWarningMacro(<< problem);
@@ -165,29 +165,62 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
     labels.names.push_back(name.empty() ? "Volume " + std::to_string(labels.ids.back()) : name);
     volume.name = "volume " + std::to_string(labels.ids.back()) +
       (name.empty() ? std::string() : " (\"" + name + "\")");
-    volume.named = { idsOf(this->Sources, body.volumeId), idsOf(this->Targets, body.volumeId),
-      layersOf(this->Layers, body.volumeId) };
+    const Index id = labels.ids.back();
+    volume.named = { idsOf(this->Sources, id), idsOf(this->Targets, id),
+      layersOf(this->Layers, id) };
     volumes.push_back(std::move(volume));
   }
   PlannedAssembly planned = planVolumes(volumes, this->Size, pipelineProgress(this, 0.05, 0.15));
-  const AssemblySweep sweep = sweepAssembly(
-    volumes, std::move(planned), {}, smpFor(), pipelineProgress(this, 0.15, 0.95));
-  for (const std::string& warning : sweep.planned.warnings)
+  for (const std::string& warning : planned.warnings)
   {
-    vtkWarningMacro(<< warning);
+    if (ranks.rank() == 0)
+    {
+      vtkWarningMacro(<< warning);
+    }
   }
+  std::vector<bool> isMine;
+  for (const int rank : shareVolumes(planned, ranks.count()))
+  {
+    isMine.push_back(rank == ranks.rank());
+  }
+  const AssemblySweep sweep = this->Sweep(volumes, std::move(planned), isMine, ranks);
   for (std::size_t v = 0; v < volumes.size(); ++v)
   {
-    if (!sweep.volumes[v].problem.empty())
+    if (isMine[v] && !sweep.volumes[v].problem.empty())
     {
       vtkWarningMacro(<< volumes[v].name << " has no hexahedra: " << sweep.volumes[v].problem);
     }
   }
+  const AssemblyNumbers numbers = numberAssembly(sweep, ranks.greatest(assemblyCounts(sweep)));
   vtkNew<vtkFieldData> fields;
   passSolidFields(port.data, fields);
+  const NumberedAssembly assembly{ sweep, numbers, labels };
   writeAssembly(
-    sweep, labels, this->Merged, fields, vtkPartitionedDataSetCollection::GetData(outputs, 0));
-  writeAssemblyBoundary(sweep, labels, vtkUnstructuredGrid::GetData(outputs, 1));
+    assembly, this->Merged, fields, vtkPartitionedDataSetCollection::GetData(outputs, 0));
+  writeAssemblyBoundary(assembly, vtkUnstructuredGrid::GetData(outputs, 1));
+}
+
+//------------------------------------------------------------------------------
+AssemblySweep vtkAssemblySweep::Sweep(const std::vector<AssemblyVolume>& volumes,
+  PlannedAssembly planned, const std::vector<bool>& isMine, const Ranks& ranks)
+{
+  AssemblySweep sweep;
+  bool isAborted = false;
+  try
+  {
+    sweep = sweepAssembly(
+      volumes, std::move(planned), isMine, smpFor(), pipelineProgress(this, 0.15, 0.95));
+  }
+  catch (const Aborted&)
+  {
+    isAborted = true;
+  }
+  // Where one rank stops all do: the others would wait for its numbers.
+  if (ranks.greatest({ isAborted ? 1 : 0 }).front() > 0)
+  {
+    throw Aborted();
+  }
+  return sweep;
 }
 
 //------------------------------------------------------------------------------

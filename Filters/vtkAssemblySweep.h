@@ -15,16 +15,21 @@
  * in the order of the input; with Merged, one with all hexahedra, whose volumes share points. All
  * have the cell arrays `VolumeId` (from 1 on), `ScaledJacobian`, `JacobianLowerBound`, `Validity`
  * (see vtkHexValidity), the point array `GlobalNodeIds` (global ids: the same for points that
- * volumes share) and the report of vtkHexValidity in their field data. The plan is there, too:
- * `SweepReportVolumeIds` and `SweepReportLayers`, one a volume, `SweepReportPlannedSources` and
- * `SweepReportPlannedTargets`, face ids as text, one a volume. Given back as volume sources,
- * targets and layers it is repeated.
+ * volumes share), the cell array `GlobalCellIds` and the report of vtkHexValidity in their field
+ * data. The plan is there, too: `SweepReportVolumeIds` and `SweepReportLayers`, one a volume,
+ * `SweepReportPlannedSources` and `SweepReportPlannedTargets`, face ids as text, one a volume.
+ * Given back as volume sources, targets and layers it is repeated.
  *
  * Output 1 are the quads of all faces, each once, with the arrays of vtkOneToOneSweep's boundary
  * (`BoundaryId`, the face; `BoundaryPart`, `HexId`, `HexSide`, `HexPointIds`: of the first volume,
  * in the numbers of the merged mesh), so that vtkSweepSets takes both outputs, and with two
  * components each `VolumeIds` (both volumes of the face, the second 0 on the skin), `HexIds` and
  * `HexSides` (-1 and 0 where there is none).
+ *
+ * Under MPI the first rank's input counts: it is sent to the others, each of which makes the plan
+ * and the faces that it needs, and fills its share of the volumes (stack after stack, the most work
+ * first). Global ids are those of one rank alone, bit for bit, like the places; a quad between
+ * volumes of two ranks is on the rank of the first, without the hexahedron of the second.
  *
  * Nodes lie on the true surfaces where the input brings them, see
  * vtkOneToOneSweep::SetSnapToGeometry().
@@ -40,6 +45,16 @@
 
 #include <map>    // For caps by volume
 #include <vector> // For lists of ids
+
+#ifndef __VTK_WRAP__
+namespace hexsweep
+{
+struct AssemblySweep;
+struct AssemblyVolume;
+struct PlannedAssembly;
+class Ranks;
+}
+#endif
 
 class VTKFILTERSHEXSWEEP_EXPORT vtkAssemblySweep : public vtkPartitionedDataSetCollectionAlgorithm
 {
@@ -112,6 +127,11 @@ private:
   void operator=(const vtkAssemblySweep&) = delete;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
+#ifndef __VTK_WRAP__
+  hexsweep::AssemblySweep Sweep(const std::vector<hexsweep::AssemblyVolume>& volumes,
+    hexsweep::PlannedAssembly planned, const std::vector<bool>& isMine,
+    const hexsweep::Ranks& ranks);
+#endif
 
   std::map<vtkIdType, std::vector<vtkIdType>> Sources;
   std::map<vtkIdType, std::vector<vtkIdType>> Targets;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plan of an assembly of many volumes: a lattice of blocks, each of whose inner faces two share.
+// The plan of an assembly of many volumes: a lattice of blocks, each of whose inner faces two
+// share.
 //
 //   HexSweepPlannerBenchmark 5 10 22
 //
@@ -28,8 +29,8 @@ class FaceIds
 public:
   Index of(int axis, const std::array<int, 3>& node)
   {
-    return this->Ids.try_emplace({ axis, node[0], node[1], node[2] },
-                      static_cast<Index>(this->Ids.size()) + 1)
+    return this->Ids
+      .try_emplace({ axis, node[0], node[1], node[2] }, static_cast<Index>(this->Ids.size()) + 1)
       .first->second;
   }
 
@@ -112,7 +113,8 @@ int main(int argc, char** argv)
         loads[static_cast<std::size_t>(rank)] += 1.0;
       }
       std::printf("    %d ranks: the busiest has %.2f of the mean\n", ranks,
-        *std::max_element(loads.begin(), loads.end()) * ranks / static_cast<double>(volumes.size()));
+        *std::max_element(loads.begin(), loads.end()) * ranks /
+          static_cast<double>(volumes.size()));
     }
   }
   return 0;

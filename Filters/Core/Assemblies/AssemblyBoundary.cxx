@@ -67,7 +67,8 @@ std::vector<AssemblyQuad> assemblyBoundary(const AssemblySweep& sweep)
     const auto sides = outerSides(sweep.volumes[v], row, sweep.boundary.nodes.size());
     for (const Index face : sweep.planned.complex.volumes[v].faces)
     {
-      const std::size_t place = sweep.planned.complex.faces[at(face)].volumes.front() == row ? 0 : 1;
+      const std::size_t place =
+        sweep.planned.complex.faces[at(face)].volumes.front() == row ? 0 : 1;
       for (std::size_t q = begins[at(face)]; q < begins[at(face) + 1]; ++q)
       {
         const auto found = sides.find(sorted(result[q].nodes));

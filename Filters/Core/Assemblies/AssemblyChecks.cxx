@@ -106,8 +106,8 @@ public:
     for (std::size_t i = 0; i < byStart.size(); ++i)
     {
       const Box& own = wide[byStart[i]];
-      for (std::size_t j = i + 1;
-           j < byStart.size() && wide[byStart[j]].min()[0] <= own.max()[0]; ++j)
+      for (std::size_t j = i + 1; j < byStart.size() && wide[byStart[j]].min()[0] <= own.max()[0];
+           ++j)
       {
         if (own.intersects(wide[byStart[j]]))
         {

@@ -39,8 +39,8 @@ struct MeshedCurve
   std::vector<double> fractions; ///< of the curve's length, one a node
 };
 
-/// Nodes that were made one after the other for one thing: inside a face, or inside the target cap of
-/// a volume.
+/// Nodes that were made one after the other for one thing: inside a face, or inside the target cap
+/// of a volume.
 struct NodeBlock
 {
   Index entity; ///< row of a face, or number of faces + row of a volume
@@ -52,7 +52,7 @@ struct AssemblyMesh
 {
   NodeTable nodes; ///< those of the curves first
   Index curveNodes = 0;
-  std::vector<NodeBlock> blocks; ///< of the others, in the order in which they were made
+  std::vector<NodeBlock> blocks;   ///< of the others, in the order in which they were made
   std::vector<MeshedCurve> curves; ///< rows as in AssemblyComplex
   std::vector<Quads> faces;        ///< of nodes, turned as the face's triangles; no row: not meshed
 };

@@ -192,7 +192,8 @@ private:
     for (std::size_t r = 0; r < std::min(MostRoots, roots.size()); ++r)
     {
       std::string problem;
-      const std::optional<std::size_t> imprints = this->walk(roots[r], stack.size(), found, problem);
+      const std::optional<std::size_t> imprints =
+        this->walk(roots[r], stack.size(), found, problem);
       if (imprints && (!best || *imprints < fewest))
       {
         best = roots[r];

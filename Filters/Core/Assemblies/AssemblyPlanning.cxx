@@ -50,8 +50,8 @@ double defaultSize(const PlannedAssembly& planned)
     if (planned.problems[v].empty())
     {
       const Index row = static_cast<Index>(v);
-      size = std::min(size,
-        defaultQuadSize(meshOfFaces(planned.complex, row, planned.plan.sweeps[v].sources)));
+      size = std::min(
+        size, defaultQuadSize(meshOfFaces(planned.complex, row, planned.plan.sweeps[v].sources)));
       all += volumeOf(planned.complex, row);
     }
   }
@@ -59,8 +59,8 @@ double defaultSize(const PlannedAssembly& planned)
 }
 
 /// The ways of all volumes; those that have none are left out, with why.
-std::vector<VolumeOptions> optionsOf(const std::vector<AssemblyVolume>& volumes,
-  const Progress& progress, PlannedAssembly& planned)
+std::vector<VolumeOptions> optionsOf(
+  const std::vector<AssemblyVolume>& volumes, const Progress& progress, PlannedAssembly& planned)
 {
   std::vector<VolumeOptions> options(volumes.size());
   planned.problems.resize(volumes.size());
@@ -69,8 +69,8 @@ std::vector<VolumeOptions> optionsOf(const std::vector<AssemblyVolume>& volumes,
     reportProgress(progress, static_cast<double>(v) / static_cast<double>(volumes.size()));
     try
     {
-      options[v] = sweepOptions(
-        planned.complex, static_cast<Index>(v), volumes[v].surface, volumes[v].named);
+      options[v] =
+        sweepOptions(planned.complex, static_cast<Index>(v), volumes[v].surface, volumes[v].named);
     }
     catch (const InvalidInput& error)
     {

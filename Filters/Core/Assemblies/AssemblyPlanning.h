@@ -38,8 +38,8 @@ struct PlannedAssembly
  * Finds the complex, the plan (planAssembly(), imprintTargets()) and the numbers of edges
  * (assemblyIntervals()).
  *
- * The same bits wherever it is called, so ranks may each call it. Costs O(n log n) for the triangles
- * where few volumes are joined cap to cap.
+ * The same bits wherever it is called, so ranks may each call it. Costs O(n log n) for the
+ * triangles where few volumes are joined cap to cap.
  *
  * @param size wanted length of edges; 0: what suits the finest cap (see defaultQuadSize()), but no
  *             more than some 400000 hexahedra.
@@ -49,7 +49,8 @@ PlannedAssembly planVolumes(
   const std::vector<AssemblyVolume>& volumes, double size, const Progress& progress = {});
 
 /**
- * Spreads volumes over ranks: stack after stack, the most work first, to the rank that has the least
+ * Spreads volumes over ranks: stack after stack, the most work first, to the rank that has the
+ * least
  * (\cite Graham1969); where one stack is more than a rank's share, volume after volume.
  *
  * @param ranks >= 1.

@@ -2,6 +2,7 @@
 #include "Core/Assemblies/AssemblySweep.h"
 
 #include "Core/Assemblies/CapFaces.h"
+#include "Core/Assemblies/CapImprint.h"
 #include "Core/Assemblies/FaceGrid.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
@@ -53,7 +54,8 @@ std::vector<bool> neededVolumes(const AssemblySweep& sweep)
 }
 
 /// Structured quads on all faces of the volumes that are sides of some volume.
-void meshSides(const AssemblyGeometry& geometry, const std::vector<bool>& needed, AssemblySweep& sweep)
+void meshSides(
+  const AssemblyGeometry& geometry, const std::vector<bool>& needed, AssemblySweep& sweep)
 {
   const PlannedAssembly& planned = sweep.planned;
   std::set<Index> wanted;
@@ -71,16 +73,16 @@ void meshSides(const AssemblyGeometry& geometry, const std::vector<bool>& needed
     {
       if (wanted.erase(side.face) > 0)
       {
-        meshSideFace(planned.complex, geometry, side,
-          planned.intervals.tubeLayers[at(side.face)], sweep.boundary);
+        meshSideFace(planned.complex, geometry, side, planned.intervals.tubeLayers[at(side.face)],
+          sweep.boundary);
       }
     }
   }
 }
 
 /// Quads on the caps of a volume.
-VolumeCage meshCaps(const AssemblyGeometry& geometry, Index volume, const ParallelFor& parallelFor,
-  const Progress& progress, AssemblySweep& sweep)
+VolumeCage meshCaps(const AssemblyGeometry& geometry, Index volume, const SolidSurface& solid,
+  const ParallelFor& parallelFor, const Progress& progress, AssemblySweep& sweep)
 {
   const PlannedAssembly& planned = sweep.planned;
   const SweepLayout& layout = planned.plan.sweeps[at(volume)];
@@ -92,8 +94,9 @@ VolumeCage meshCaps(const AssemblyGeometry& geometry, Index volume, const Parall
         progressPart(progress, 0.0, 0.5), parallelFor);
     }
   }
-  return carryToTarget(planned.complex, geometry, volume, layout, sweep.boundary,
-    progressPart(progress, 0.5, 1.0), parallelFor);
+  return carryToTarget(planned.complex, geometry, volume, layout,
+    capMapOf(planned.complex, layout, solid), sweep.boundary, progressPart(progress, 0.5, 1.0),
+    parallelFor);
 }
 
 /// The nodes of a volume in the numbers of the assembly; those inside get new ones.
@@ -160,7 +163,7 @@ AssemblySweep sweepAssembly(const std::vector<AssemblyVolume>& volumes, PlannedA
     if (needed[at(v)])
     {
       fillOrTell(result.volumes[at(v)], [&] {
-        VolumeCage cage = meshCaps(geometry, v, parallelFor,
+        VolumeCage cage = meshCaps(geometry, v, volumes[at(v)].surface, parallelFor,
           progressPart(progress, 0.4 * done / count, 0.4 * (done + 1.0) / count), result);
         if (result.volumes[at(v)].isMine)
         {

@@ -3,6 +3,7 @@
 
 #include "Core/Assemblies/CapFaces.h"
 #include "Core/Assemblies/QuadMatch.h"
+#include "Core/CapQuads/ImageProjection.h"
 #include "Core/CapQuads/SweepProjection.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
@@ -99,12 +100,62 @@ std::string idsOf(const AssemblyComplex& complex, const std::vector<Index>& face
   return (faces.size() == 1 ? "face " : "faces ") + ids;
 }
 
+/// Of the edges beside it: a target node this far from the image of its source node is not it.
+constexpr double FarFromImage = 0.25;
+/// Of a layer's thickness: columns that leave their straight lines by less are straight.
+constexpr double StraightColumn = 1e-3;
+
+/// Whether the known target nodes are the images of their source nodes.
+bool areImages(const QuadMesh& source, const AffineMap& map, const std::vector<Index>& known,
+  const AssemblyMesh& mesh)
+{
+  const Points images = map.apply(source.points);
+  for (Index q = 0; q < source.quads.rows(); ++q)
+  {
+    for (Index c = 0; c < 4; ++c)
+    {
+      const Index a = source.quads(q, c);
+      const Index b = source.quads(q, (c + 1) % 4);
+      const double edge = (images.row(b) - images.row(a)).norm();
+      for (const Index end : { a, b })
+      {
+        const Index node = known[at(end)];
+        if (node >= 0 && (mesh.nodes[node] - images.row(end)).norm() > FarFromImage * edge)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/// Whether all columns of the sides are straight lines, with layers at the same shares of them.
+bool areStraight(const SweepBoundary& boundary)
+{
+  const Points& first = boundary.rings.front();
+  const Points& last = boundary.rings.back();
+  const double tolerance =
+    StraightColumn * boundary.meanColumnLength / static_cast<double>(boundary.numberOfLayers());
+  for (std::size_t k = 1; k + 1 < boundary.rings.size(); ++k)
+  {
+    const double along = boundary.fractions[k];
+    const Points straight = (1.0 - along) * first + along * last;
+    if ((boundary.rings[k] - straight).rowwise().norm().maxCoeff() > tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Target nodes where no face of the target has quads yet.
 /// @param known nodes on loops and borders, -1 inside. @param isOnLoop which of them are on loops.
 std::vector<Index> projectToTarget(const AssemblyComplex& complex, const AssemblyGeometry& geometry,
-  Index volume, const SweepLayout& layout, const QuadMesh& source, const RingStack& rings,
-  const std::vector<Index>& known, const std::vector<bool>& isOnLoop, AssemblyMesh& mesh,
-  const Progress& progress, const ParallelFor& parallelFor)
+  Index volume, const SweepLayout& layout, const std::optional<AffineMap>& map,
+  const QuadMesh& source, const RingStack& rings, const std::vector<Index>& known,
+  const std::vector<bool>& isOnLoop, AssemblyMesh& mesh, const Progress& progress,
+  const ParallelFor& parallelFor)
 {
   SweepProjectionInput input;
   input.source = source;
@@ -121,7 +172,28 @@ std::vector<Index> projectToTarget(const AssemblyComplex& complex, const Assembl
       input.borders.push_back({ static_cast<Index>(i), mesh.nodes[known[i]] });
     }
   }
-  Points points = projectSweep(input, progress).quads.points;
+  Points points;
+  if (map && areImages(source, *map, known, mesh))
+  {
+    std::vector<FixedNode> boundary;
+    for (std::size_t i = 0; i < known.size(); ++i)
+    {
+      if (known[i] >= 0 && isOnLoop[i])
+      {
+        boundary.push_back({ static_cast<Index>(i), mesh.nodes[known[i]] });
+      }
+    }
+    SweepProjection image =
+      projectToImage(source, *map, boundary, input.borders, input.target, false, parallelFor);
+    if (image.quality.inverted == 0)
+    {
+      points = std::move(image.quads.points);
+    }
+  }
+  if (points.rows() == 0)
+  {
+    points = projectSweep(input, progress).quads.points;
+  }
   std::vector<bool> isFixed(known.size(), false);
   for (std::size_t i = 0; i < known.size(); ++i)
   {
@@ -141,8 +213,8 @@ std::vector<Index> projectToTarget(const AssemblyComplex& complex, const Assembl
       nodes[i] = mesh.nodes.add(points.row(static_cast<Index>(i)));
     }
   }
-  mesh.blocks.push_back({ static_cast<Index>(complex.faces.size()) + volume, begin,
-    mesh.nodes.size() - begin });
+  mesh.blocks.push_back(
+    { static_cast<Index>(complex.faces.size()) + volume, begin, mesh.nodes.size() - begin });
   return nodes;
 }
 
@@ -191,8 +263,8 @@ void keepTarget(const AssemblyComplex& complex, Index volume, const SweepLayout&
 }
 
 VolumeCage carryToTarget(const AssemblyComplex& complex, const AssemblyGeometry& geometry,
-  Index volume, const SweepLayout& layout, AssemblyMesh& mesh, const Progress& progress,
-  const ParallelFor& parallelFor)
+  Index volume, const SweepLayout& layout, const std::optional<AffineMap>& map, AssemblyMesh& mesh,
+  const Progress& progress, const ParallelFor& parallelFor)
 {
   LocalNodes local;
   QuadMesh source;
@@ -243,8 +315,8 @@ VolumeCage carryToTarget(const AssemblyComplex& complex, const AssemblyGeometry&
   const Quads given = quadsOfFaces(complex, mesh, volume, layout.targets);
   if (given.rows() == 0)
   {
-    target = projectToTarget(complex, geometry, volume, layout, source, rings, target, isOnLoop,
-      mesh, progress, parallelFor);
+    target = projectToTarget(complex, geometry, volume, layout, map, source, rings, target,
+      isOnLoop, mesh, progress, parallelFor);
     keepTarget(complex, volume, layout, source.quads, target, mesh);
   }
   else
@@ -268,6 +340,7 @@ VolumeCage carryToTarget(const AssemblyComplex& complex, const AssemblyGeometry&
   result.cage.quads = source.quads;
   result.cage.boundary = gatherSweepBoundary(result.cage.source, result.cage.target, rings);
   checkRings(result.cage.boundary, topology.loops);
+  result.cage.isRuled = map && areStraight(result.cage.boundary);
   return result;
 }
 

@@ -7,9 +7,11 @@
 #define hexsweep_VolumeFill_h
 
 #include "Core/Assemblies/AssemblyMesh.h"
+#include "Core/Geometry/AffineMap.h"
 #include "Core/Hexahedra/HexQuality.h"
 #include "Core/Interior/SweepCage.h"
 
+#include <optional>
 #include <string>
 
 namespace hexsweep
@@ -25,14 +27,16 @@ struct VolumeCage
 /**
  * Carries the quads of the source cap to the target cap.
  *
+ * @param map  of the source cap to the target cap, where there is one (capMapOf()): quads of the
+ *             target are images of the source's then.
  * @param mesh has the quads of the source cap and of all sides; gets those of the target cap. Where
  *        faces of the target have quads already, these must be the source's, node for node along
  *        the columns.
  * @throw InvalidInput where they are not, and as projectSweep(); SolverFailure; Aborted.
  */
 VolumeCage carryToTarget(const AssemblyComplex& complex, const AssemblyGeometry& geometry,
-  Index volume, const SweepLayout& layout, AssemblyMesh& mesh, const Progress& progress = {},
-  const ParallelFor& parallelFor = {});
+  Index volume, const SweepLayout& layout, const std::optional<AffineMap>& map, AssemblyMesh& mesh,
+  const Progress& progress = {}, const ParallelFor& parallelFor = {});
 
 struct VolumeHexes
 {

@@ -231,6 +231,8 @@ constexpr const char* Projection = "SweepReportProjection";
 /// Ids, one a face.
 constexpr const char* SourceFaceIds = "SweepReportSourceFaceIds";
 constexpr const char* TargetFaceIds = "SweepReportTargetFaceIds";
+/// Ids of the volumes of an assembly that have no hexahedra; not there where all have.
+constexpr const char* UnmeshedVolumes = "SweepReportUnmeshedVolumes";
 /// Texts, one a volume of an assembly: face ids with blanks between.
 constexpr const char* PlannedSources = "SweepReportPlannedSources";
 constexpr const char* PlannedTargets = "SweepReportPlannedTargets";

@@ -287,6 +287,18 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
   addReport(grid->GetFieldData(), reports::Method, methods);
   std::vector<std::size_t> all(sweep.volumes.size());
   std::iota(all.begin(), all.end(), std::size_t{ 0 });
+  std::vector<Index> unmeshed;
+  for (const std::size_t v : all)
+  {
+    if (!sweep.volumes[v].problem.empty())
+    {
+      unmeshed.push_back(labels.ids[v]);
+    }
+  }
+  if (!unmeshed.empty())
+  {
+    addIds(grid->GetFieldData(), reports::UnmeshedVolumes, unmeshed);
+  }
   addPlan(sweep, all, labels, grid);
   addReports(sweep, grid);
   return grid;

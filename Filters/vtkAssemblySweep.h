@@ -18,7 +18,8 @@
  * volumes share), the cell array `GlobalCellIds` and the report of vtkHexValidity in their field
  * data. The plan is there, too: `SweepReportVolumeIds` and `SweepReportLayers`, one a volume,
  * `SweepReportPlannedSources` and `SweepReportPlannedTargets`, face ids as text, one a volume.
- * Given back as volume sources, targets and layers it is repeated.
+ * Given back as volume sources, targets and layers it is repeated. `SweepReportUnmeshedVolumes` has the
+ * ids of volumes without hexahedra, where there are any.
  *
  * Output 1 are the quads of all faces, each once, with the arrays of vtkOneToOneSweep's boundary
  * (`BoundaryId`, the face; `BoundaryPart`, `HexId`, `HexSide`, `HexPointIds`: of the first volume,

@@ -10,7 +10,7 @@ from .messages import Refusal, VtkMessages
 from .output import new_files
 from .process import Died, in_child
 from .progress import Bar
-from .quality import Quality
+from .quality import Quality, reported
 from .reading import check, read
 
 
@@ -55,7 +55,8 @@ def _mesh(options, choices, new):
         raise Refusal("" if messages.errors else "there is no mesh, and no filter has said why.")
     sets = writing.write(sweep, new.files["mesh"], choices, messages)
     quality = Quality(hexes)
-    certified = quality.inverted == 0 and quality.is_certified()
+    missing = [int(volume) for volume in reported(hexes, "UnmeshedVolumes")]
+    certified = quality.inverted == 0 and quality.is_certified() and not missing
     if options.json:
         about = {"input": options.solid, "output": options.output, "settings": _settings(options)}
         report.write(new.paths["json"], hexes, quality, certified, about, sets)
@@ -63,7 +64,10 @@ def _mesh(options, choices, new):
         picture.draw(hexes, new.paths["picture"])
     if "plan" in new.paths:
         sweep.write_plan(new.paths["plan"])
-    return certified, "\n".join([quality.line(), *quality.table()])
+    lines = [quality.line(), *quality.table()]
+    if missing:
+        lines.append(f"without hexahedra: volume {', '.join(map(str, missing))}")
+    return certified, "\n".join(lines)
 
 
 def _single(solid, options, bar, messages):

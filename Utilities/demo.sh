@@ -4,6 +4,7 @@
 # Utilities/demo.sh [model...]
 # Utilities/demo.sh --compare
 # Utilities/demo.sh --winding
+# Utilities/demo.sh --assemblies
 #
 # Installs what is missing, builds HexSweep, sweeps models of Data/cases through the chained ParaView
 # filters and CAD solids of Data/solids by OneToOneSweep (default: fig7 fig8 fig9, the three models of
@@ -14,6 +15,7 @@
 # --compare sweeps all of them by several methods instead: one table, and pictures of the affine
 # method beside HexSweep with caps that are not parallel, along a curved trajectory, round a growing
 # hole (about a minute).
+# --assemblies meshes the assemblies of Data/cad, each as one conforming mesh, and draws some.
 # --winding draws a bar whose holes turn by half a turn about each other.
 # HEXSWEEP_BUILD_DIR and HEXSWEEP_DEMO_DIR change where things go.
 
@@ -22,12 +24,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 models=("$@")
 compare=no
-winding=no
+drawn=no
 if [[ ${1:-} == --compare ]]; then
   compare=yes
   models=()
-elif [[ ${1:-} == --winding ]]; then
-  winding=yes
+elif [[ ${1:-} == --winding || ${1:-} == --assemblies ]]; then
+  drawn=${1#--}
   models=()
 elif ((${#models[@]} == 0)); then
   models=(fig7 fig8 fig9 flange)
@@ -56,10 +58,12 @@ run_script() { # script, data, models...
   pvpython "$source_dir/Utilities/demo/$1" \
     --plugin "$plugin" --data "$source_dir/Data/$2" --output "$demo_dir" "${@:3}"
 }
-if [[ $winding == yes ]]; then
+if [[ $drawn != no ]]; then
   package=$(find "$build_dir/lib" -type d -path '*site-packages/hexsweep' | head -n 1)
-  PYTHONPATH=$(dirname "$package") /usr/bin/python3 "$source_dir/Utilities/demo/winding.py" \
-    --output "$demo_dir"
+  data=()
+  [[ $drawn == assemblies ]] && data=(--data "$source_dir/Data/cad")
+  PYTHONPATH=$(dirname "$package") /usr/bin/python3 "$source_dir/Utilities/demo/$drawn.py" \
+    --output "$demo_dir" "${data[@]}"
   exit
 fi
 say "sweep: ${models[*]:-all cases}"

@@ -5,9 +5,13 @@
 #include "Core/Common/StandardIndex.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 namespace hexsweep
 {
@@ -29,6 +33,16 @@ double turnOf(const AssemblyComplex& complex, const ComplexCurve& curve)
     turn += std::atan2(in.cross(out).norm(), in.dot(out));
   }
   return turn;
+}
+
+std::vector<Index> curvesOf(const std::vector<DirectedUse>& uses)
+{
+  std::vector<Index> curves;
+  for (const DirectedUse& use : uses)
+  {
+    curves.push_back(use.use.curve);
+  }
+  return curves;
 }
 
 std::vector<Index> curvesOf(const std::vector<CurveUse>& chain)
@@ -79,6 +93,7 @@ public:
 
   const std::map<Index, Index>& rowOfTube() const { return this->RowOfTube; }
   const std::vector<Index>& rowOfVolume() const { return this->RowOfVolume; }
+  const std::map<Index, std::array<Index, 2>>& rowsBeside() const { return this->RowsBeside; }
 
 private:
   void wishForCurves()
@@ -116,18 +131,97 @@ private:
   {
     const std::string name =
       "face " + std::to_string(this->Complex.faces[at(side.face)].id) + " has opposite sides";
-    this->Programme.equations.push_back(
-      { curvesOf(side.chains[0]), curvesOf(side.chains[2]), name });
-    if (!side.isTube())
+    if (side.isTube())
     {
       this->Programme.equations.push_back(
-        { curvesOf(side.chains[1]), curvesOf(side.chains[3]), name });
+        { curvesOf(side.chains[0]), curvesOf(side.chains[2]), name });
+      IntervalWish wish;
+      wish.number = std::max(1e-6, this->heightOf(side) / this->Size);
+      this->RowOfTube[side.face] = this->addWish(wish);
       return;
     }
-    IntervalWish wish;
-    wish.number = std::max(1e-6, this->heightOf(side) / this->Size);
-    this->RowOfTube[side.face] = static_cast<Index>(this->Programme.wishes.size());
+    SideFace outer = side;
+    if (side.isPolygon())
+    {
+      outer.rims.resize(1);
+    }
+    this->addOpposite(outer, name);
+    if (side.rims.size() > 1)
+    {
+      SideFace inner;
+      inner.rims.push_back(side.rims[1]);
+      this->addOpposite(inner, name);
+      this->placeInner(side, outer, inner, name);
+    }
+  }
+
+  void addOpposite(const SideFace& side, const std::string& name)
+  {
+    for (const int direction : { 0, 1 })
+    {
+      this->Programme.equations.push_back({ curvesOf(curvesAlong(side, direction)),
+        curvesOf(curvesAlong(side, direction + 2)), name });
+    }
+  }
+
+  /// A patch inside another one: so many rows and layers lie on each of its sides.
+  void placeInner(
+    const SideFace& side, const SideFace& outer, const SideFace& inner, const std::string& name)
+  {
+    for (const int direction : { 0, 1 })
+    {
+      const Eigen::RowVector3d axis = this->axisOf(outer, direction);
+      const auto [outerLow, outerHigh] = this->extentOf(outer, axis);
+      const auto [innerLow, innerHigh] = this->extentOf(inner, axis);
+      std::vector<Index> sum;
+      for (const double gap : { innerLow - outerLow, outerHigh - innerHigh })
+      {
+        IntervalWish wish;
+        wish.number = std::max(0.5, gap / this->Size);
+        sum.push_back(this->addWish(wish));
+      }
+      this->RowsBeside[side.face][static_cast<std::size_t>(direction)] = sum.front();
+      // The inner rim runs the other way round.
+      const std::vector<Index> own = curvesOf(curvesAlong(inner, direction));
+      sum.insert(sum.end(), own.begin(), own.end());
+      this->Programme.equations.push_back(
+        { curvesOf(curvesAlong(outer, direction)), std::move(sum), name });
+    }
+  }
+
+  Eigen::RowVector3d axisOf(const SideFace& side, int direction) const
+  {
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (const DirectedUse& use : curvesAlong(side, direction))
+    {
+      const Points places = placesOf(this->Complex, this->Complex.curves[at(use.use.curve)]);
+      const Eigen::RowVector3d chord = places.row(places.rows() - 1) - places.row(0);
+      sum += use.use.reversed ? Eigen::RowVector3d(-chord) : chord;
+    }
+    return sum.normalized();
+  }
+
+  std::pair<double, double> extentOf(const SideFace& side, const Eigen::RowVector3d& axis) const
+  {
+    std::pair<double, double> extent{ std::numeric_limits<double>::infinity(),
+      -std::numeric_limits<double>::infinity() };
+    for (int direction = 0; direction < 4; ++direction)
+    {
+      for (const DirectedUse& use : curvesAlong(side, direction))
+      {
+        const Eigen::VectorXd along =
+          placesOf(this->Complex, this->Complex.curves[at(use.use.curve)]) * axis.transpose();
+        extent = { std::min(extent.first, along.minCoeff()),
+          std::max(extent.second, along.maxCoeff()) };
+      }
+    }
+    return extent;
+  }
+
+  Index addWish(const IntervalWish& wish)
+  {
     this->Programme.wishes.push_back(wish);
+    return static_cast<Index>(this->Programme.wishes.size()) - 1;
   }
 
   /// Area over the mean length of the loops.
@@ -152,61 +246,130 @@ private:
     return area / length;
   }
 
-  /// Numbers whose sum are the layers of a side face.
-  std::vector<Index> layersOf(const SideFace& side) const
-  {
-    return side.isTube() ? std::vector<Index>{ this->RowOfTube.at(side.face) }
-                         : curvesOf(side.chains[1]);
-  }
+  /// The layers below a curve; nothing at the source cap.
+  using Level = std::optional<Index>;
 
   void addVolume(Index volume)
   {
     const SweepLayout& sweep = this->Plan.sweeps[at(volume)];
-    const Index row = static_cast<Index>(this->Programme.wishes.size());
-    this->RowOfVolume.push_back(row);
     IntervalWish any;
     any.free = true;
     any.most = this->Layers[at(volume)];
     any.least = std::max<Index>(1, any.most);
-    this->Programme.wishes.push_back(any);
-    // The way down to the source cap, by the face at whose bottom a curve is.
-    std::map<Index, const SideFace*> above;
+    const Index layers = this->addWish(any);
+    this->RowOfVolume.push_back(layers);
+    IntervalWish free;
+    free.free = true;
+    std::map<Index, Level> levels;
+    const auto levelOf = [&](Index curve) {
+      const auto known = levels.find(curve);
+      if (known != levels.end())
+      {
+        return known->second;
+      }
+      const std::vector<Index>& faces = this->Complex.curves[at(curve)].faces;
+      const auto isAt = [&](const std::vector<Index>& cap) {
+        return std::any_of(faces.begin(), faces.end(),
+          [&](Index face) { return std::binary_search(cap.begin(), cap.end(), face); });
+      };
+      const Level level = isAt(sweep.sources) ? Level()
+        : isAt(sweep.targets)                 ? Level(layers)
+                                              : Level(this->addWish(free));
+      levels[curve] = level;
+      return level;
+    };
+    this->Words =
+      "volume " + std::to_string(volume + 1) + " has as many layers everywhere between its caps";
     for (const SideFace& side : sweep.sides)
     {
-      for (const CurveUse& use : side.chains[0])
+      if (side.isTube())
       {
-        above[use.curve] = &side;
-      }
-    }
-    const auto isAtSource = [&](Index curve) {
-      const std::vector<Index>& faces = this->Complex.curves[at(curve)].faces;
-      return std::any_of(faces.begin(), faces.end(), [&](Index face) {
-        return std::binary_search(sweep.sources.begin(), sweep.sources.end(), face);
-      });
-    };
-    for (const auto& [curve, first] : above)
-    {
-      if (!isAtSource(curve))
-      {
+        for (const CurveUse& use : side.chains[2])
+        {
+          this->addRise(levelOf(side.chains[0].front().curve), { this->RowOfTube.at(side.face) },
+            {}, levelOf(use.curve));
+        }
         continue;
       }
-      for (const bool last : { false, true })
+      std::vector<std::vector<DirectedUse>> rims = side.rims;
+      if (rims.empty())
       {
-        std::vector<Index> way;
-        const SideFace* side = first;
-        // Layouts have no circles: each face is reached from below once.
-        while (side)
+        rims.emplace_back();
+        for (int direction = 0; direction < 4; ++direction)
         {
-          const std::vector<Index> own = this->layersOf(*side);
-          way.insert(way.end(), own.begin(), own.end());
-          const std::vector<CurveUse>& top = side->chains[2];
-          const auto next = above.find((last ? top.back() : top.front()).curve);
-          side = next == above.end() ? nullptr : next->second;
+          const std::vector<DirectedUse> own = curvesAlong(side, direction);
+          rims.front().insert(rims.front().end(), own.begin(), own.end());
         }
-        this->Programme.equations.push_back({ std::move(way), { row },
-          "volume " + std::to_string(volume + 1) +
-            " has as many layers everywhere between its caps" });
       }
+      for (const std::vector<DirectedUse>& rim : rims)
+      {
+        this->climb(rim, levelOf);
+      }
+      if (rims.size() > 1)
+      {
+        this->addRise(levelOf(lowest(rims[0])), { this->RowsBeside.at(side.face)[1] }, {},
+          levelOf(lowest(rims[1])));
+      }
+    }
+  }
+
+  /// The first curve of a rim that leads along the rows and comes after one that leads down: for a
+  /// rectangle its bottom (of an inner rim, which runs the other way: the one below it).
+  static Index lowest(const std::vector<DirectedUse>& rim)
+  {
+    for (std::size_t k = 0; k < rim.size(); ++k)
+    {
+      const DirectedUse& before = rim[(k + rim.size() - 1) % rim.size()];
+      if (before.direction == 3 && rim[k].direction % 2 == 0)
+      {
+        return rim[k].use.curve;
+      }
+    }
+    return rim.front().use.curve;
+  }
+
+  /// Goes round a rim from one curve along the rows to the next.
+  template <typename LevelOf>
+  void climb(const std::vector<DirectedUse>& rim, const LevelOf& levelOf)
+  {
+    const std::size_t n = rim.size();
+    std::size_t start = 0;
+    while (start < n && rim[start].direction % 2 != 0)
+    {
+      ++start;
+    }
+    std::vector<Index> up;
+    std::vector<Index> down;
+    Index last = rim[start % n].use.curve;
+    for (std::size_t k = 1; k <= n; ++k)
+    {
+      const DirectedUse& next = rim[(start + k) % n];
+      if (next.direction % 2 != 0)
+      {
+        (next.direction == 1 ? up : down).push_back(next.use.curve);
+        continue;
+      }
+      this->addRise(levelOf(last), std::move(up), std::move(down), levelOf(next.use.curve));
+      up.clear();
+      down.clear();
+      last = next.use.curve;
+    }
+  }
+
+  /// The level `to` is that of `from`, up and down by some numbers.
+  void addRise(Level from, std::vector<Index> up, std::vector<Index> down, Level to)
+  {
+    if (from)
+    {
+      up.push_back(*from);
+    }
+    if (to)
+    {
+      down.push_back(*to);
+    }
+    if (up != down && !(up.empty() && down.empty()))
+    {
+      this->Programme.equations.push_back({ std::move(up), std::move(down), this->Words });
     }
   }
 
@@ -216,7 +379,10 @@ private:
   const std::vector<Index>& Layers;
   IntervalProgramme Programme;
   std::map<Index, Index> RowOfTube;
+  /// By face: how many rows lie left of the patch inside it, how many layers below that.
+  std::map<Index, std::array<Index, 2>> RowsBeside;
   std::vector<Index> RowOfVolume;
+  std::string Words;
 };
 }
 
@@ -233,6 +399,11 @@ AssemblyIntervals assemblyIntervals(const AssemblyComplex& complex, const Assemb
   for (const auto& [face, row] : writer.rowOfTube())
   {
     result.tubeLayers[at(face)] = numbers[at(row)];
+  }
+  result.inside.assign(complex.faces.size(), { 0, 0 });
+  for (const auto& [face, rows] : writer.rowsBeside())
+  {
+    result.inside[at(face)] = { numbers[at(rows[0])], numbers[at(rows[1])] };
   }
   for (const Index row : writer.rowOfVolume())
   {

@@ -8,13 +8,17 @@
 
 #include "Core/Assemblies/AssemblyPlan.h"
 
+#include <array>
+
 namespace hexsweep
 {
 struct AssemblyIntervals
 {
   std::vector<Index> curves;     ///< edges, one a curve
   std::vector<Index> tubeLayers; ///< one a face: layers of a side face that is a tube; else 0
-  std::vector<Index> layers;     ///< one a volume
+  /// One a face: rows left of, and layers below, the patch inside it; else 0.
+  std::vector<std::array<Index, 2>> inside;
+  std::vector<Index> layers; ///< one a volume
 };
 
 /**

@@ -73,8 +73,7 @@ void meshSides(
     {
       if (wanted.erase(side.face) > 0)
       {
-        meshSideFace(planned.complex, geometry, side, planned.intervals.tubeLayers[at(side.face)],
-          sweep.boundary);
+        meshSideFace(planned.complex, geometry, side, planned.intervals, sweep.boundary);
       }
     }
   }

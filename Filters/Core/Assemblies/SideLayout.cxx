@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -59,28 +60,150 @@ std::map<Index, double> anglesAt(
     describe(complex.points.row(complex.triangles(face.triangles.front(), 0))) + " " + why);
 }
 
-/// Cuts the loop of a face at its four corners; chain 0 is the one with a given curve.
-std::array<std::vector<CurveUse>, 4> chainsOf(
-  const AssemblyComplex& complex, const ComplexFace& face, Index curve)
+bool hasCurve(const std::vector<DirectedUse>& uses, Index curve)
+{
+  return std::any_of(
+    uses.begin(), uses.end(), [curve](const DirectedUse& use) { return use.use.curve == curve; });
+}
+
+/// The way the grid turns at a point of a rim, in right angles to the left, by the angle within.
+int turnAt(double angle)
+{
+  return 2 - static_cast<int>(std::lround(angle / (0.5 * Pi)));
+}
+
+/// Directions along a loop, the curve in row `start` having `direction`.
+/// @return what the turns add up to, in right angles.
+int direct(const AssemblyComplex& complex, const std::vector<CurveUse>& loop, std::size_t start,
+  int direction, const std::map<Index, double>& angles, std::vector<DirectedUse>& rim)
+{
+  int turns = 0;
+  const std::size_t n = loop.size();
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const CurveUse& use = loop[(start + k) % n];
+    if (k > 0)
+    {
+      turns += turnAt(angles.at(firstPointOf(complex, use)));
+    }
+    rim.push_back({ use, (((direction + turns) % 4) + 4) % 4 });
+  }
+  return turns + turnAt(angles.at(firstPointOf(complex, loop[start])));
+}
+
+/// Sum of the chords of curves.
+Eigen::RowVector3d chordOf(const AssemblyComplex& complex, const std::vector<DirectedUse>& uses)
+{
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (const DirectedUse& use : uses)
+  {
+    const std::vector<Index>& points = complex.curves[at(use.use.curve)].points;
+    const Eigen::RowVector3d chord =
+      complex.points.row(points.back()) - complex.points.row(points.front());
+    sum += use.use.reversed ? Eigen::RowVector3d(-chord) : chord;
+  }
+  return sum;
+}
+
+std::map<Index, double> anglesOf(const AssemblyComplex& complex, const ComplexFace& face)
+{
+  std::set<Index> vertices;
+  for (const std::vector<CurveUse>& loop : face.loops)
+  {
+    for (const CurveUse& use : loop)
+    {
+      vertices.insert(firstPointOf(complex, use));
+    }
+  }
+  return anglesAt(complex, face, vertices);
+}
+
+/// The loops of a face with directions; the given curve has layers above it.
+void layOutPolygon(
+  const AssemblyComplex& complex, const ComplexFace& face, Index curve, SideFace& side)
+{
+  const std::string refusal =
+    "has corners that are no right angles, or a face inside it that has none: quads in rows and "
+    "layers do not fit on it. Cut it into faces with four corners, or sweep the volume between "
+    "other caps.";
+  const std::map<Index, double> angles = anglesOf(complex, face);
+  const auto has = [curve](const CurveUse& use) { return use.curve == curve; };
+  for (const bool outer : { true, false })
+  {
+    for (const std::vector<CurveUse>& loop : face.loops)
+    {
+      const auto start = std::find_if(loop.begin(), loop.end(), has);
+      std::vector<DirectedUse> rim;
+      const int turns = direct(complex, loop,
+        start == loop.end() ? 0 : static_cast<std::size_t>(start - loop.begin()), 0, angles, rim);
+      if ((turns == 4) != outer)
+      {
+        continue;
+      }
+      if (turns != 4 && turns != -4)
+      {
+        refuseFace(complex, face, refusal);
+      }
+      side.rims.push_back(std::move(rim));
+    }
+  }
+  // What reaches the face is on its outer rim: a hole is turned as it lies to that.
+  if (side.rims.size() != face.loops.size() || side.rims.size() > 2 ||
+    curvesAlong(side, 0).empty() || !hasCurve(side.rims.front(), curve))
+  {
+    refuseFace(complex, face, refusal);
+  }
+  if (side.rims.size() == 2)
+  {
+    const std::vector<DirectedUse>& outer = side.rims.front();
+    std::size_t corners = 0;
+    for (std::size_t k = 0; k < outer.size(); ++k)
+    {
+      corners += outer[k].direction != outer[(k + 1) % outer.size()].direction ? 1 : 0;
+    }
+    if (corners != 4)
+    {
+      refuseFace(complex, face, refusal);
+    }
+    SideFace whole;
+    whole.rims.push_back(side.rims.front());
+    const Eigen::RowVector3d chord = chordOf(complex, { side.rims[1].front() });
+    int best = 0;
+    double most = -std::numeric_limits<double>::infinity();
+    for (int direction = 0; direction < 4; ++direction)
+    {
+      const double along = chord.dot(chordOf(complex, curvesAlong(whole, direction)).normalized());
+      if (along > most)
+      {
+        most = along;
+        best = direction;
+      }
+    }
+    for (DirectedUse& use : side.rims[1])
+    {
+      use.direction = (use.direction + best) % 4;
+    }
+  }
+}
+
+/// Cuts the rim of a face with four corners into chains; chain 0 is the one with a given curve.
+void layOutQuadrilateral(
+  const AssemblyComplex& complex, const ComplexFace& face, Index curve, SideFace& side)
 {
   const std::vector<CurveUse>& loop = face.loops.front();
-  std::set<Index> vertices;
-  for (const CurveUse& use : loop)
-  {
-    vertices.insert(firstPointOf(complex, use));
-  }
   std::vector<std::pair<double, Index>> byAngle;
-  for (const auto& [point, angle] : anglesAt(complex, face, vertices))
+  for (const auto& [point, angle] : anglesOf(complex, face))
   {
     byAngle.emplace_back(angle, point);
   }
   std::sort(byAngle.begin(), byAngle.end());
-  if (byAngle.size() < 4 || byAngle[3].first > CornerAngle ||
-    (byAngle.size() > 4 && byAngle[4].first < CornerAngle))
+  const bool hasFour = byAngle.size() >= 4 && byAngle[3].first < CornerAngle &&
+    (byAngle.size() == 4 || byAngle[4].first > CornerAngle);
+  const bool isConvex = byAngle.back().first < 2.0 * Pi - CornerAngle;
+  if (!hasFour || !isConvex)
   {
-    refuseFace(complex, face,
-      "has not four corners: quads in rows and layers do not fit on it. Cut it into faces that "
-      "have, or sweep the volume between other caps.");
+    layOutPolygon(complex, face, curve, side);
+    return;
   }
   std::set<Index> corners;
   for (std::size_t k = 0; k < 4; ++k)
@@ -97,7 +220,6 @@ std::array<std::vector<CurveUse>, 4> chainsOf(
   {
     start = (start + n - 1) % n;
   }
-  std::array<std::vector<CurveUse>, 4> chains;
   std::size_t chain = 0;
   for (std::size_t k = 0; k < n; ++k)
   {
@@ -106,9 +228,20 @@ std::array<std::vector<CurveUse>, 4> chainsOf(
     {
       ++chain;
     }
-    chains[chain].push_back(use);
+    side.chains[chain].push_back(use);
   }
-  return chains;
+}
+
+/// Whether both loops of a face lie round each other like those of a tube: neither has corners, or
+/// they turn as little as a tube's do.
+bool isTube(const AssemblyComplex& complex, const ComplexFace& face)
+{
+  const std::map<Index, double> angles = anglesOf(complex, face);
+  return std::all_of(face.loops.begin(), face.loops.end(), [&](const std::vector<CurveUse>& loop) {
+    std::vector<DirectedUse> rim;
+    const bool isClosed = loop.size() == 1;
+    return isClosed || direct(complex, loop, 0, 0, angles, rim) == 0;
+  });
 }
 
 /// Chain 0 begins at a loop with this curve.
@@ -122,23 +255,17 @@ std::array<std::vector<CurveUse>, 4> tubeChains(const ComplexFace& face, Index c
   return chains;
 }
 
-bool hasCurve(const std::vector<CurveUse>& chain, Index curve)
-{
-  return std::any_of(
-    chain.begin(), chain.end(), [curve](const CurveUse& use) { return use.curve == curve; });
-}
-
 /// Layers that run along a curve on one face must not end at it on the next.
 void checkDirections(const AssemblyComplex& complex, const SweepLayout& layout)
 {
-  std::map<Index, std::size_t> kinds;
+  std::map<Index, int> kinds;
   for (const SideFace& side : layout.sides)
   {
-    for (std::size_t c = 0; c < 4; ++c)
+    for (int direction = 0; direction < 4; ++direction)
     {
-      for (const CurveUse& use : side.chains[c])
+      for (const DirectedUse& use : curvesAlong(side, direction))
       {
-        if (kinds.try_emplace(use.curve, c % 2).first->second != c % 2)
+        if (kinds.try_emplace(use.use.curve, direction % 2).first->second != direction % 2)
         {
           refuseFace(complex, complex.faces[at(side.face)],
             "has layers that run crosswise to those of its neighbour. Sweep the volume between "
@@ -148,6 +275,26 @@ void checkDirections(const AssemblyComplex& complex, const SweepLayout& layout)
     }
   }
 }
+}
+
+std::vector<DirectedUse> curvesAlong(const SideFace& side, int direction)
+{
+  std::vector<DirectedUse> uses;
+  for (const CurveUse& use : side.chains[static_cast<std::size_t>(direction)])
+  {
+    uses.push_back({ use, direction });
+  }
+  for (const std::vector<DirectedUse>& rim : side.rims)
+  {
+    for (const DirectedUse& use : rim)
+    {
+      if (use.direction == direction)
+      {
+        uses.push_back(use);
+      }
+    }
+  }
+  return uses;
 }
 
 SweepLayout layOutSides(const AssemblyComplex& complex, Index volume, std::vector<Index> sources,
@@ -198,7 +345,7 @@ SweepLayout layOutSides(const AssemblyComplex& complex, Index volume, std::vecto
     const auto known = rowOf.find(row);
     if (known != rowOf.end())
     {
-      if (!hasCurve(layout.sides[known->second].chains[0], curve))
+      if (!hasCurve(curvesAlong(layout.sides[known->second], 0), curve))
       {
         refuseFace(complex, face,
           "is reached by the layers of the sweep from two sides. Sweep the volume between other "
@@ -208,27 +355,31 @@ SweepLayout layOutSides(const AssemblyComplex& complex, Index volume, std::vecto
     }
     SideFace side;
     side.face = row;
-    const bool isTube = face.loops.size() == 2;
-    if (face.loops.size() > 2)
+    if (face.loops.size() == 1)
     {
-      refuseFace(complex, face,
-        "has a hole or another face within: quads in rows and layers do not fit round it. Make it "
-        "a source or target cap, or cut the volume there.");
+      layOutQuadrilateral(complex, face, curve, side);
     }
-    side.chains = isTube ? tubeChains(face, curve) : chainsOf(complex, face, curve);
+    else if (face.loops.size() == 2 && isTube(complex, face))
+    {
+      side.chains = tubeChains(face, curve);
+    }
+    else
+    {
+      layOutPolygon(complex, face, curve, side);
+    }
     rowOf[row] = layout.sides.size();
     layout.sides.push_back(side);
-    for (const CurveUse& use : side.chains[2])
+    for (const DirectedUse& top : curvesAlong(side, 2))
     {
-      if (touches(use.curve, layout.targets))
+      if (touches(top.use.curve, layout.targets))
       {
         continue;
       }
-      for (const Index next : sidesAt[use.curve])
+      for (const Index next : sidesAt[top.use.curve])
       {
         if (next != row)
         {
-          reached.emplace_back(next, use.curve);
+          reached.emplace_back(next, top.use.curve);
         }
       }
     }

@@ -424,6 +424,41 @@ TEST(AssemblySweep, BordersOfTheTargetAreCarriedToTheSource)
 }
 
 //------------------------------------------------------------------------------
+/// Blocks that touch: a conforming mesh with their volume and the area of their skin.
+void expectFits(
+  const std::string& name, const std::vector<TopoDS_Shape>& shapes, double volume, double skinArea)
+{
+  Swept swept(fileOf(name, shapes), 1.0);
+  ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
+  ASSERT_TRUE(swept.events.warnings.empty()) << swept.events.warnings.front();
+  EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
+  EXPECT_GE(report(swept.grid(), "MinScaledJacobian"), 0.2);
+  const HexFaces faces(swept.grid());
+  EXPECT_EQ(faces.most, 2);
+  EXPECT_NEAR(faces.skinArea, skinArea, 1e-9 * skinArea);
+  EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), volume, 1e-9 * volume);
+}
+
+// Blocks on three sides of a cube: whatever way it is swept, a face lies inside one of its sides.
+TEST(AssemblySweep, FacesInsideSidesAreRowsAndLayersOfThem)
+{
+  expectFits("three_sides",
+    { block(0, 0, 0, 10, 10, 10), block(10, 2, 2, 5, 5, 5), block(2, 10, 3, 5, 5, 5),
+      block(3, 3, 10, 5, 5, 5) },
+    1000.0 + 3 * 125.0, 600.0 + 3 * 100.0);
+}
+
+// Blocks that share parts of their sides leave faces with six corners.
+TEST(AssemblySweep, SidesMayHaveMoreThanFourCorners)
+{
+  expectFits("staggered",
+    { block(0, 0, 0, 10, 10, 4), block(5, 5, 4, 10, 10, 4), block(10, -5, 0, 8, 10, 8) },
+    400.0 + 400.0 + 640.0,
+    // Less twice what they share: 25 between the first two, 20 each with the third.
+    360.0 + 360.0 + 448.0 - 2 * (25.0 + 20.0 + 20.0));
+}
+
+//------------------------------------------------------------------------------
 TEST(AssemblySweep, NamedCapsAreObeyed)
 {
   vtkNew<vtkCADReader> reader;

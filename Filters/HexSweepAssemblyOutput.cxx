@@ -71,10 +71,10 @@ void addPlan(const AssemblySweep& sweep, const std::vector<std::size_t>& volumes
   {
     ids.push_back(labels.ids[v]);
     layers.push_back(sweep.planned.intervals.layers[v]);
-    sources.push_back(
-      textOf(idsOfFaces(sweep.planned.complex, sweep.planned.plan.sweeps[v].sources)));
-    targets.push_back(
-      textOf(idsOfFaces(sweep.planned.complex, sweep.planned.plan.sweeps[v].targets)));
+    sources.push_back(textOf(idsOfFaces(
+      sweep.planned.complex, static_cast<Index>(v), sweep.planned.plan.sweeps[v].sources)));
+    targets.push_back(textOf(idsOfFaces(
+      sweep.planned.complex, static_cast<Index>(v), sweep.planned.plan.sweeps[v].targets)));
   }
   addIds(grid->GetFieldData(), reports::VolumeIds, ids);
   addIds(grid->GetFieldData(), reports::Layers, layers);

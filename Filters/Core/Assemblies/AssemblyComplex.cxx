@@ -2,6 +2,7 @@
 #include "Core/Assemblies/AssemblyComplex.h"
 
 #include "Core/Common/Describe.h"
+#include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 #include "Core/Surfaces/FaceSides.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace hexsweep
@@ -55,94 +57,171 @@ private:
   std::vector<Eigen::RowVector3d> Places;
 };
 
-/// The corners of a triangle from the lowest one on: the same for all that turn it round.
-std::array<Index, 3> fromLowest(std::array<Index, 3> corners)
-{
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return corners;
-}
-
 std::string nameOfFace(Index id)
 {
   return "face " + std::to_string(id);
+}
+
+using Corners = std::array<Index, 3>;
+
+/// A triangle of a solid in the numbers of the complex.
+struct SolidTriangle
+{
+  Corners key; ///< the corners, rising
+  Index volume;
+  Index row;
+  bool isEven; ///< whether the corners run as they rise, or turned round from there
+};
+
+SolidTriangle solidTriangle(const Corners& corners, Index volume, Index row)
+{
+  Corners key = corners;
+  std::sort(key.begin(), key.end());
+  const std::size_t first =
+    static_cast<std::size_t>(std::find(corners.begin(), corners.end(), key[0]) - corners.begin());
+  return { key, volume, row, corners[(first + 1) % 3] == key[1] };
+}
+
+/// By volume and triangle: the triangle of another volume at the same place that faces it.
+struct Partner
+{
+  Index volume = -1;
+  Index row = -1;
+};
+
+std::vector<std::vector<Partner>> partnersOf(
+  const std::vector<const SolidSurface*>& solids, std::vector<SolidTriangle> all)
+{
+  std::vector<std::vector<Partner>> partners;
+  for (const SolidSurface* solid : solids)
+  {
+    partners.emplace_back(at(solid->triangles.rows()));
+  }
+  std::sort(all.begin(), all.end(), [](const SolidTriangle& a, const SolidTriangle& b) {
+    return std::tie(a.key, a.volume, a.row) < std::tie(b.key, b.volume, b.row);
+  });
+  for (std::size_t i = 0; i + 1 < all.size(); ++i)
+  {
+    const SolidTriangle& one = all[i];
+    const SolidTriangle& other = all[i + 1];
+    if (one.key != other.key)
+    {
+      continue;
+    }
+    if (i + 2 < all.size() && all[i + 2].key == one.key)
+    {
+      const SolidSurface& solid = *solids[at(one.volume)];
+      throw InvalidInput(nameOfFace(solid.faceIds[at(one.row)]) + " at " +
+        describe(solid.points.row(solid.triangles(one.row, 0))) +
+        " belongs to more than two volumes. Check that no body is there twice.");
+    }
+    // Two that face the same way are the same body twice, and nothing that both share.
+    if (one.isEven != other.isEven)
+    {
+      partners[at(one.volume)][at(one.row)] = { other.volume, other.row };
+      partners[at(other.volume)][at(other.row)] = { one.volume, one.row };
+    }
+  }
+  return partners;
+}
+
+/// Of triangles with labels: the first triangle of the piece of one label that each is in.
+std::vector<Index> piecesOf(
+  const Triangles& triangles, Index points, const std::vector<Index>& labels)
+{
+  DisjointSets pieces(triangles.rows());
+  const std::vector<FaceSide> sides = sortedSides(triangles, points);
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      for (std::size_t j = i + 1; j < last; ++j)
+      {
+        if (labels[at(sides[i].face)] == labels[at(sides[j].face)])
+        {
+          pieces.join(sides[i].face, sides[j].face);
+        }
+      }
+    }
+  });
+  std::vector<Index> result;
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    result.push_back(pieces.find(t));
+  }
+  return result;
 }
 
 /// Collects faces and triangles, volume after volume.
 void addSolids(const std::vector<const SolidSurface*>& solids, AssemblyComplex& complex)
 {
   PlaceNumbers places;
-  std::map<Index, Index> rowOfFace;
-  std::vector<std::array<Index, 3>> triangles;
-  std::vector<std::set<std::array<Index, 3>>> again; // triangles that the second volume has
+  std::vector<std::vector<Corners>> corners;
+  std::vector<SolidTriangle> all;
   for (std::size_t v = 0; v < solids.size(); ++v)
   {
     const SolidSurface& solid = *solids[v];
-    std::set<Index> own;
+    corners.emplace_back(at(solid.triangles.rows()));
     for (Index t = 0; t < solid.triangles.rows(); ++t)
     {
-      std::array<Index, 3> corners{};
+      Corners& own = corners.back()[at(t)];
       for (int c = 0; c < 3; ++c)
       {
-        corners[static_cast<std::size_t>(c)] =
-          places.numberOf(solid.points.row(solid.triangles(t, c)));
+        own[static_cast<std::size_t>(c)] = places.numberOf(solid.points.row(solid.triangles(t, c)));
       }
-      const Index id = solid.faceIds[at(t)];
-      const auto [known, isNew] =
-        rowOfFace.try_emplace(id, static_cast<Index>(complex.faces.size()));
+      all.push_back(solidTriangle(own, static_cast<Index>(v), t));
+    }
+  }
+  const std::vector<std::vector<Partner>> partners = partnersOf(solids, std::move(all));
+  complex.points = places.points();
+
+  // What is a face of two volumes is one: by both volumes and both ids.
+  using Label = std::array<Index, 4>;
+  std::map<Label, Index> numberOf;
+  std::vector<Label> labelOf;
+  std::vector<Corners> triangles;
+  std::vector<Index> labels;
+  for (std::size_t v = 0; v < solids.size(); ++v)
+  {
+    for (std::size_t t = 0; t < corners[v].size(); ++t)
+    {
+      const Partner& partner = partners[v][t];
+      if (partner.volume >= 0 && partner.volume < static_cast<Index>(v))
+      {
+        continue;
+      }
+      const Label label{ static_cast<Index>(v), solids[v]->faceIds[t], partner.volume,
+        partner.volume < 0 ? 0 : solids[at(partner.volume)]->faceIds[at(partner.row)] };
+      const auto [known, isNew] = numberOf.try_emplace(label, static_cast<Index>(labelOf.size()));
       if (isNew)
       {
-        complex.faces.emplace_back();
-        complex.faces.back().id = id;
-        again.emplace_back();
+        labelOf.push_back(label);
       }
-      ComplexFace& face = complex.faces[at(known->second)];
-      if (own.insert(known->second).second)
-      {
-        face.volumes.push_back(static_cast<Index>(v));
-        if (face.volumes.size() > 2)
-        {
-          throw InvalidInput(nameOfFace(id) + " at " +
-            describe(solid.points.row(solid.triangles(t, 0))) +
-            " belongs to more than two volumes. Check that no body is there twice.");
-        }
-      }
-      if (face.volumes.front() == static_cast<Index>(v))
-      {
-        face.triangles.push_back(static_cast<Index>(triangles.size()));
-        complex.faceOf.push_back(known->second);
-        triangles.push_back(corners);
-      }
-      else
-      {
-        std::swap(corners[1], corners[2]);
-        again[at(known->second)].insert(fromLowest(corners));
-      }
+      labels.push_back(known->second);
+      triangles.push_back(corners[v][t]);
     }
-    complex.volumes.push_back({ { own.begin(), own.end() } });
   }
-  complex.points = places.points();
-  complex.triangles.resize(static_cast<Index>(triangles.size()), 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  complex.triangles =
+    Eigen::Map<const Triangles>(triangles.front().data(), static_cast<Index>(triangles.size()), 3);
+  const std::vector<Index> pieces = piecesOf(complex.triangles, complex.points.rows(), labels);
+  std::map<Index, Index> faceOfPiece;
+  complex.volumes.resize(solids.size());
+  for (std::size_t t = 0; t < labels.size(); ++t)
   {
-    complex.triangles.row(static_cast<Index>(t)) << triangles[t][0], triangles[t][1],
-      triangles[t][2];
-  }
-  for (std::size_t f = 0; f < complex.faces.size(); ++f)
-  {
-    const ComplexFace& face = complex.faces[f];
-    if (face.volumes.size() < 2)
+    const auto [known, isNew] =
+      faceOfPiece.try_emplace(pieces[t], static_cast<Index>(complex.faces.size()));
+    if (isNew)
     {
-      continue;
+      const Label& label = labelOf[at(labels[t])];
+      complex.faces.push_back({ label[1], label[3], {}, { label[0] }, {} });
+      complex.volumes[at(label[0])].faces.push_back(known->second);
+      if (label[2] >= 0)
+      {
+        complex.faces.back().volumes.push_back(label[2]);
+        complex.volumes[at(label[2])].faces.push_back(known->second);
+      }
     }
-    const bool same = again[f].size() == face.triangles.size() &&
-      std::all_of(face.triangles.begin(), face.triangles.end(),
-        [&](Index t) { return again[f].count(fromLowest(triangles[at(t)])) > 0; });
-    if (!same)
-    {
-      throw InvalidInput(nameOfFace(face.id) +
-        " has other triangles in one volume than in the other. Volumes that touch must share the "
-        "face with its triangles: imprint and merge them, as vtkCADReader does.");
-    }
+    complex.faces[at(known->second)].triangles.push_back(static_cast<Index>(t));
+    complex.faceOf.push_back(known->second);
   }
 }
 
@@ -347,7 +426,7 @@ std::vector<Index> rowsOfFaces(
   std::vector<Index> rows;
   for (const Index face : complex.volumes[at(volume)].faces)
   {
-    if (std::find(ids.begin(), ids.end(), complex.faces[at(face)].id) != ids.end())
+    if (std::find(ids.begin(), ids.end(), complex.faces[at(face)].idIn(volume)) != ids.end())
     {
       rows.push_back(face);
     }
@@ -355,12 +434,13 @@ std::vector<Index> rowsOfFaces(
   return rows;
 }
 
-std::vector<Index> idsOfFaces(const AssemblyComplex& complex, const std::vector<Index>& faces)
+std::vector<Index> idsOfFaces(
+  const AssemblyComplex& complex, Index volume, const std::vector<Index>& faces)
 {
   std::set<Index> ids;
   for (const Index face : faces)
   {
-    ids.insert(complex.faces[at(face)].id);
+    ids.insert(complex.faces[at(face)].idIn(volume));
   }
   return { ids.begin(), ids.end() };
 }

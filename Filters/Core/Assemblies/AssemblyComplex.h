@@ -29,11 +29,18 @@ struct ComplexCurve
 
 struct ComplexFace
 {
-  Index id = 0;                 ///< the solids' FaceId; parts of a face that was cut share it
+  Index id = 0;      ///< the FaceId of the first volume; parts of a face that was cut share it
+  Index otherId = 0; ///< of the second volume
   std::vector<Index> triangles; ///< rows of AssemblyComplex::triangles, rising
   std::vector<Index> volumes;   ///< rows; one, or two where solids touch
   /// Boundary loops in the direction of the triangles, each from the start of a curve on.
   std::vector<std::vector<CurveUse>> loops;
+
+  /// The FaceId in one of its volumes.
+  Index idIn(Index volume) const
+  {
+    return this->volumes.front() == volume ? this->id : this->otherId;
+  }
 };
 
 struct ComplexVolume
@@ -56,7 +63,9 @@ struct AssemblyComplex
 };
 
 /**
- * Faces are the same where they have the same id; points where they have the same coordinates.
+ * Points are the same where they have the same coordinates, and triangles of two solids are one
+ * where they have the same corners and face each other. What two solids share of two of their faces
+ * is a face, each connected piece by itself, with the first one's id.
  *
  * Curves end where more or fewer than two border edges meet, where other faces begin, and at
  * corners (turns of more than 30 degrees). A closed curve without any of these begins at its point
@@ -64,8 +73,8 @@ struct AssemblyComplex
  * same angle.
  *
  * @param solids one a volume, see makeSolidSurface().
- * @throw InvalidInput naming a face that more than two solids have, or that two have with different
- *        triangles, and where the border of a face touches itself.
+ * @throw InvalidInput naming a face that more than two solids have, and where the border of a face
+ *        touches itself.
  */
 AssemblyComplex makeAssemblyComplex(const std::vector<const SolidSurface*>& solids);
 
@@ -76,8 +85,9 @@ void traceCurves(AssemblyComplex& complex);
 std::vector<Index> rowsOfFaces(
   const AssemblyComplex& complex, Index volume, const std::vector<Index>& ids);
 
-/// The different ids of some faces, rising.
-std::vector<Index> idsOfFaces(const AssemblyComplex& complex, const std::vector<Index>& faces);
+/// The different ids of some of a volume's faces, rising.
+std::vector<Index> idsOfFaces(
+  const AssemblyComplex& complex, Index volume, const std::vector<Index>& faces);
 
 /// Rows of the triangles of some faces, rising.
 std::vector<Index> trianglesOfFaces(

@@ -3,6 +3,7 @@
 
 #include "Core/Common/StandardIndex.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hexsweep
@@ -46,11 +47,12 @@ std::optional<Eigen::RowVector3d> AssemblyGeometry::onCurve(
       for (const Index volume : one.volumes)
       {
         const ModelGeometry* const geometry = this->of(volume);
-        if (!geometry)
+        const bool hasBoth = std::count(other.volumes.begin(), other.volumes.end(), volume) > 0;
+        if (!geometry || !hasBoth)
         {
           continue;
         }
-        for (const Index edge : geometry->edgesBetween(one.id, other.id))
+        for (const Index edge : geometry->edgesBetween(one.idIn(volume), other.idIn(volume)))
         {
           const std::optional<Eigen::RowVector3d> found = geometry->closestOnEdge(edge, place);
           if (found && (!best || (*found - place).norm() < (*best - place).norm()))

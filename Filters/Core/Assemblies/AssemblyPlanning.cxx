@@ -127,7 +127,7 @@ PlannedAssembly planVolumes(
   const std::vector<VolumeOptions> options =
     optionsOf(volumes, progressPart(progress, 0.0, 0.8), result);
   result.plan = planAssembly(result.complex, options, [&](Index volume, const SweepLayout& layout) {
-    return capMapOf(result.complex, layout, *solids[at(volume)]).has_value();
+    return capMapOf(result.complex, volume, layout, *solids[at(volume)]).has_value();
   });
   result.size = size > 0.0 ? size : defaultSize(result);
   imprintTargets(solids, result.size, result.complex, result.plan);

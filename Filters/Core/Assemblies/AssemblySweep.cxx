@@ -94,8 +94,8 @@ VolumeCage meshCaps(const AssemblyGeometry& geometry, Index volume, const SolidS
     }
   }
   return carryToTarget(planned.complex, geometry, volume, layout,
-    capMapOf(planned.complex, layout, solid), sweep.boundary, progressPart(progress, 0.5, 1.0),
-    parallelFor);
+    capMapOf(planned.complex, volume, layout, solid), sweep.boundary,
+    progressPart(progress, 0.5, 1.0), parallelFor);
 }
 
 /// The nodes of a volume in the numbers of the assembly; those inside get new ones.

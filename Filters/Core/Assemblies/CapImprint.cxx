@@ -262,8 +262,8 @@ void replaceCap(const std::vector<Index>& rows, const SurfacePart& part, Index v
       if (!kept.insert(face).second)
       {
         row = static_cast<Index>(complex.faces.size());
-        complex.faces.push_back(
-          { complex.faces[at(face)].id, {}, complex.faces[at(face)].volumes, {} });
+        complex.faces.push_back({ complex.faces[at(face)].id, complex.faces[at(face)].otherId, {},
+          complex.faces[at(face)].volumes, {} });
         for (const Index v : complex.faces.back().volumes)
         {
           complex.volumes[at(v)].faces.push_back(row);
@@ -424,7 +424,7 @@ void cutSource(
   SweepLayout caps;
   caps.sources = sources;
   caps.targets = targets;
-  const std::optional<AffineMap> map = capMapOf(complex, caps, solid);
+  const std::optional<AffineMap> map = capMapOf(complex, volume, caps, solid);
   if (!map)
   {
     throw InvalidInput(describeCaps(ids, volume) + " have no image on its source.");
@@ -450,7 +450,7 @@ void cutSource(
 std::vector<CarriedCurve> carriedCurves(const SolidSurface& solid, const CapIds& ids, Index volume,
   const SweepLayout& layout, const AssemblyComplex& complex)
 {
-  const std::optional<AffineMap> map = capMapOf(complex, layout, solid);
+  const std::optional<AffineMap> map = capMapOf(complex, volume, layout, solid);
   const AffineMap back = inverse(*map);
   const ImageFinder finder(complex, layout.sources);
   std::vector<CarriedCurve> carried;
@@ -473,14 +473,14 @@ std::vector<CarriedCurve> carriedCurves(const SolidSurface& solid, const CapIds&
 }
 }
 
-std::optional<AffineMap> capMapOf(
-  const AssemblyComplex& complex, const SweepLayout& layout, const SolidSurface& solid)
+std::optional<AffineMap> capMapOf(const AssemblyComplex& complex, Index volume,
+  const SweepLayout& layout, const SolidSurface& solid)
 {
   try
   {
     const std::optional<AffineSweep> sweep = findAffineSweep(solid,
-      sweepBetween(
-        solid, idsOfFaces(complex, layout.sources), idsOfFaces(complex, layout.targets)));
+      sweepBetween(solid, idsOfFaces(complex, volume, layout.sources),
+        idsOfFaces(complex, volume, layout.targets)));
     return sweep && isInvertible(sweep->map) ? std::optional<AffineMap>(sweep->map) : std::nullopt;
   }
   catch (const InvalidInput&)
@@ -493,9 +493,12 @@ void imprintTargets(const std::vector<const SolidSurface*>& solids, double size,
   AssemblyComplex& complex, AssemblyPlan& plan)
 {
   std::vector<CapIds> ids;
-  for (const SweepLayout& layout : plan.sweeps)
+  for (std::size_t v = 0; v < plan.sweeps.size(); ++v)
   {
-    ids.push_back({ idsOfFaces(complex, layout.sources), idsOfFaces(complex, layout.targets) });
+    const SweepLayout& layout = plan.sweeps[v];
+    const Index volume = static_cast<Index>(v);
+    ids.push_back(
+      { idsOfFaces(complex, volume, layout.sources), idsOfFaces(complex, volume, layout.targets) });
   }
   std::set<Index> cut;
   for (auto v = plan.order.rbegin(); v != plan.order.rend(); ++v)

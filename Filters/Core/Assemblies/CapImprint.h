@@ -16,8 +16,8 @@ namespace hexsweep
 {
 /// The affine map from the source to the target cap, see findAffineSweep(). @return nothing where
 /// there is none.
-std::optional<AffineMap> capMapOf(
-  const AssemblyComplex& complex, const SweepLayout& layout, const SolidSurface& solid);
+std::optional<AffineMap> capMapOf(const AssemblyComplex& complex, Index volume,
+  const SweepLayout& layout, const SolidSurface& solid);
 
 /**
  * Cuts source faces along the images of the borders of their targets, from the ends of the stacks

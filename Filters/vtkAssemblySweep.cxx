@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAssemblySweep.h"
 
-#include "Core/Geometry/Reflection.h"
-#include "HexSweepArrays.h"
+#include "HexSweepAssemblyInput.h"
 #include "HexSweepAssemblyOutput.h"
 #include "HexSweepBodies.h"
 #include "HexSweepRanks.h"
@@ -16,7 +15,6 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPartitionedDataSetCollection.h>
-#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <utility>
@@ -27,25 +25,6 @@ using namespace hexsweep;
 
 namespace
 {
-/// The surface of a body where it was given.
-SolidSurface givenSurface(ReadBody& body)
-{
-  SolidSurface surface = std::move(body.surface);
-  surface.points = reflected(std::move(surface.points), body.solid.reflection);
-  if (body.solid.reflection.turnsOver())
-  {
-    surface.triangles.col(1).swap(surface.triangles.col(2));
-  }
-  return surface;
-}
-
-std::string nameOfBody(const ReadBody& body, vtkStringArray* names)
-{
-  return names && body.volumeId >= 0 && body.volumeId < names->GetNumberOfValues()
-    ? std::string(names->GetValue(body.volumeId))
-    : std::string();
-}
-
 /// @throw InvalidInput for a number below 1.
 Index layersOf(const std::map<vtkIdType, vtkIdType>& named, Index volumeId)
 {
@@ -147,28 +126,15 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   {
     vtkWarningMacro(<< problem);
   }
-  std::vector<ReadBody> bodies = readBodies(
-    port.data, chosenArray(this), solidOptions(this->MatchTolerance, this->FeatureAngle));
-  checkAreSolids(bodies);
-  auto* names =
-    vtkStringArray::SafeDownCast(port.data->GetFieldData()->GetAbstractArray(arrays::VolumeNames));
-  std::vector<AssemblyVolume> volumes;
-  VolumeLabels labels;
-  for (ReadBody& body : bodies)
+  AssemblyInput input =
+    readAssembly(port, chosenArray(this), solidOptions(this->MatchTolerance, this->FeatureAngle));
+  std::vector<AssemblyVolume>& volumes = input.volumes;
+  const VolumeLabels& labels = input.labels;
+  for (std::size_t v = 0; v < volumes.size(); ++v)
   {
-    AssemblyVolume volume;
-    volume.surface = givenSurface(body);
-    const auto geometry = port.geometries.find(body.volumeId);
-    volume.geometry = geometry == port.geometries.end() ? nullptr : geometry->second;
-    const std::string name = nameOfBody(body, names);
-    labels.ids.push_back(std::max<Index>(1, body.volumeId));
-    labels.names.push_back(name.empty() ? "Volume " + std::to_string(labels.ids.back()) : name);
-    volume.name = "volume " + std::to_string(labels.ids.back()) +
-      (name.empty() ? std::string() : " (\"" + name + "\")");
-    const Index id = labels.ids.back();
-    volume.named = { idsOf(this->Sources, id), idsOf(this->Targets, id),
+    const Index id = labels.ids[v];
+    volumes[v].named = { idsOf(this->Sources, id), idsOf(this->Targets, id),
       layersOf(this->Layers, id) };
-    volumes.push_back(std::move(volume));
   }
   PlannedAssembly planned = planVolumes(volumes, this->Size, pipelineProgress(this, 0.05, 0.15));
   for (const std::string& warning : planned.warnings)

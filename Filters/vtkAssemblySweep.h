@@ -3,13 +3,15 @@
  * @class vtkAssemblySweep
  * @brief One conforming mesh of hexahedra of several solids that touch.
  *
- * Takes a collection of closed surfaces whose cell array `FaceId` has one id for a face that two of
- * them share (vtkCADReader puts out such a collection when it imprints), or one data set with the
- * cell array `VolumeId`. Each volume is swept one to one; the filter finds the caps of all of them,
- * so that each shared face gets one mesh: layers and rows of quads on the sides, quads of one cap
- * carried through a stack of volumes, quads of a side as the cap of a volume that stands on it. The
- * numbers of edges on all curves follow from one size, by an integer programme where sides ask for
- * sums of them. Volumes that do not touch are in the same mesh, too.
+ * Takes a collection of closed surfaces (vtkCADReader puts out such a collection, imprinted on each
+ * other), surface cells with the array `VolumeId`, surfaces of which more than two meet at edges
+ * (as gmsh meshes all faces of a model: the regions that they enclose are the volumes), or volume
+ * cells, told apart by `VolumeId` or `CellEntityIds`. Volumes share what they have the same
+ * triangles of. Each volume is swept one to one; the filter finds the caps of all of them, so that
+ * each shared face gets one mesh: layers and rows of quads on the sides, quads of one cap carried
+ * through a stack of volumes, quads of a side as the cap of a volume that stands on it. The numbers
+ * of edges on all curves follow from one size, by an integer programme where sides ask for sums of
+ * them. Volumes that do not touch are in the same mesh, too.
  *
  * Output 0 is a vtkPartitionedDataSetCollection: a partitioned data set a volume, with its name,
  * in the order of the input; with Merged, one with all hexahedra, whose volumes share points. All
@@ -18,8 +20,8 @@
  * volumes share), the cell array `GlobalCellIds` and the report of vtkHexValidity in their field
  * data. The plan is there, too: `SweepReportVolumeIds` and `SweepReportLayers`, one a volume,
  * `SweepReportPlannedSources` and `SweepReportPlannedTargets`, face ids as text, one a volume.
- * Given back as volume sources, targets and layers it is repeated. `SweepReportUnmeshedVolumes` has the
- * ids of volumes without hexahedra, where there are any.
+ * Given back as volume sources, targets and layers it is repeated. `SweepReportUnmeshedVolumes` has
+ * the ids of volumes without hexahedra, where there are any.
  *
  * Output 1 are the quads of all faces, each once, with the arrays of vtkOneToOneSweep's boundary
  * (`BoundaryId`, the face; `BoundaryPart`, `HexId`, `HexSide`, `HexPointIds`: of the first volume,

@@ -201,10 +201,10 @@ std::optional<std::map<Index, Index>> branchAndCut(
       right.push_back(wish);
       deviations.push_back({ deviation, weight });
     }
-    columns.add(own, static_cast<double>(numbers.least / numbers.step),
+    columns.add(own, static_cast<double>(numbers.least) / static_cast<double>(numbers.step),
       numbers.most == std::numeric_limits<Index>::max()
         ? Unlimited
-        : static_cast<double>(numbers.most / numbers.step),
+        : static_cast<double>(numbers.most) / static_cast<double>(numbers.step),
       0.0);
   }
   const int integers = static_cast<int>(entries.size());

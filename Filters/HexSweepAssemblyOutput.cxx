@@ -156,7 +156,7 @@ vtkSmartPointer<vtkUnstructuredGrid> volumeGrid(
 {
   const auto& [sweep, numbers, labels] = assembly;
   const SweptVolume& volume = sweep.volumes[v];
-  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->GetFieldData()->PassData(fields);
   grid->GetFieldData()->RemoveArray(arrays::VolumeNames);
   vtkNew<vtkStringArray> name;
@@ -241,7 +241,7 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
   const NumberedAssembly& assembly, vtkFieldData* fields)
 {
   const auto& [sweep, numbers, labels] = assembly;
-  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->GetFieldData()->PassData(fields);
   Index count = 0;
   for (const SweptVolume& volume : sweep.volumes)

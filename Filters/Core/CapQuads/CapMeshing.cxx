@@ -194,6 +194,50 @@ void divideAtEverySecondPoint(const PointsRef& points, const std::vector<CapCurv
     }
   }
 }
+
+/// Curves of a cap, and where they are divided.
+struct DividedCurves
+{
+  std::vector<CapCurve> curves;
+  std::vector<bool> kept; ///< see keptCurves(); empty where curves are given
+  std::vector<std::vector<double>> divided;
+};
+
+DividedCurves dividedCurves(const TriangleMesh& cap, const std::vector<Loop>& loops,
+  const std::vector<Index>& faceIds, const CapQuadOptions& options)
+{
+  DividedCurves result;
+  if (!options.given.empty())
+  {
+    takeGivenCurves(cap, options.given, result.curves, result.divided);
+    return result;
+  }
+  result.curves = traceCapCurves(cap, loops, faceIds, options.keep, options.size);
+  result.kept = keptCurves(result.curves, options.keepEdges);
+  result.divided = divideCapCurves(cap, result.curves, 2.0 * options.size, options.chordTolerance);
+  divideAtEverySecondPoint(cap.points, result.curves, result.kept, result.divided);
+  return result;
+}
+
+/// Nodes along given curves: the vertices, and between them the nodes that halve their edges.
+/// @param halved edges that are halved by the nodes from `firstHalf` on, rising.
+std::vector<std::vector<Index>> nodesAlongGiven(const std::vector<std::vector<Index>>& vertices,
+  const std::vector<std::pair<Index, Index>>& halved, Index firstHalf)
+{
+  std::vector<std::vector<Index>> nodes;
+  for (const std::vector<Index>& curve : vertices)
+  {
+    nodes.push_back({ curve.front() });
+    for (std::size_t k = 1; k < curve.size(); ++k)
+    {
+      const std::pair<Index, Index> ends = std::minmax(curve[k - 1], curve[k]);
+      const auto found = std::lower_bound(halved.begin(), halved.end(), ends);
+      nodes.back().push_back(firstHalf + (found - halved.begin()));
+      nodes.back().push_back(curve[k]);
+    }
+  }
+  return nodes;
+}
 }
 
 CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& faceIds,
@@ -204,21 +248,8 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
   checkCap(topology, what);
   checkOptions(cap, topology.loops, faceIds, options);
 
-  std::vector<CapCurve> curves;
-  std::vector<bool> kept;
-  std::vector<std::vector<double>> divided;
-  if (options.given.empty())
-  {
-    curves = traceCapCurves(cap, topology.loops, faceIds, options.keep, options.size);
-    kept = keptCurves(curves, options.keepEdges);
-    divided = divideCapCurves(cap, curves, 2.0 * options.size, options.chordTolerance);
-    divideAtEverySecondPoint(cap.points, curves, kept, divided);
-  }
-  else
-  {
-    takeGivenCurves(cap, options.given, curves, divided);
-  }
-  const DividedCap prepared = putNodesOnCurves(cap, curves, divided, options.keep);
+  const DividedCurves along = dividedCurves(cap, topology.loops, faceIds, options);
+  const DividedCap prepared = putNodesOnCurves(cap, along.curves, along.divided, options.keep);
   const ParallelFor& threads = options.parallelFor;
   const auto search = std::make_shared<const SurfaceSearch>(cap);
   const SurfaceSearch& surface = *search;
@@ -227,7 +258,7 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
 
   const std::vector<std::vector<Index>> vertices = curveVertices(prepared, remeshed.pointOf);
   const std::vector<CurveEdge> onCurves = options.given.empty()
-    ? curveEdges(prepared, remeshed.pointOf, kept)
+    ? curveEdges(prepared, remeshed.pointOf, along.kept)
     : givenEdges(options.given, vertices, remeshed.mesh.points);
   std::vector<std::pair<Index, Index>> keptEdges;
   for (const CurveEdge& edge : onCurves)
@@ -265,16 +296,9 @@ CapQuads meshCapWithQuads(const TriangleMesh& cap, const std::vector<Index>& fac
       result.onCurve[static_cast<std::size_t>(i)] = true;
     }
   }
-  for (std::size_t c = 0; c < options.given.size(); ++c)
+  if (!options.given.empty())
   {
-    result.givenNodes.push_back({ vertices[c].front() });
-    for (std::size_t k = 1; k < vertices[c].size(); ++k)
-    {
-      const std::pair<Index, Index> ends = std::minmax(vertices[c][k - 1], vertices[c][k]);
-      const auto found = std::lower_bound(subdivided.edges.begin(), subdivided.edges.end(), ends);
-      result.givenNodes.back().push_back(coarse + (found - subdivided.edges.begin()));
-      result.givenNodes.back().push_back(vertices[c][k]);
-    }
+    result.givenNodes = nodesAlongGiven(vertices, subdivided.edges, coarse);
   }
   std::vector<bool> fixed = result.onCurve;
   for (const Index node : result.keptNodes)

@@ -247,6 +247,20 @@ constexpr const char* MergedPoints = "SweepReportMergedPoints";
 /// Triangles of the solid without area, flipped away.
 constexpr const char* FlippedTriangles = "SweepReportFlippedTriangles";
 
+// Sweeps between several caps (vtkManyToManySweep).
+
+/// Measures, three a body: unit vector along the sweep.
+constexpr const char* SweepDirection = "SweepReportSweepDirection";
+/// Measures, three a body: a point and the unit vector of the axis of a sweep round one.
+constexpr const char* SweepAxisPoint = "SweepReportSweepAxisPoint";
+constexpr const char* SweepAxisDirection = "SweepReportSweepAxisDirection";
+/// Id: parts of the plane across the sweep, each with its own caps.
+constexpr const char* Regions = "SweepReportRegions";
+/// Id: sheets of nodes on which caps lie.
+constexpr const char* Levels = "SweepReportLevels";
+/// Measure: greatest distance of curves of caps that became one.
+constexpr const char* GreatestImprint = "SweepReportGreatestImprint";
+
 // Solids with their true geometry.
 
 /// Ids: boundary nodes that were put on the true surfaces, and those that were left on the facets.

@@ -8,6 +8,7 @@
 #include "HexSweepAppend.h"
 #include "HexSweepArrays.h"
 #include "HexSweepReader.h"
+#include "HexSweepStackSweep.h"
 #include "HexSweepWriter.h"
 
 #include <vtkDataArray.h>
@@ -23,6 +24,9 @@ namespace hexsweep
 {
 namespace
 {
+/// A sweep whose least scaled Jacobian is below this is not the last word.
+constexpr double LowScaledJacobian = 0.2;
+
 using Sweep = std::function<SolidSweepResult(const SweepTopology& topology, BodyMesh& mesh)>;
 
 double badHexes(const BodyMesh& mesh)
@@ -86,8 +90,8 @@ std::vector<std::string> bestOfSweeps(const SweepChoice& choice, const Sweep& sw
   return warnings;
 }
 
-/// Sweeps one body. @return what to tell the user, with places of the body.
-std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
+/// Sweeps one body between two caps. @return what to tell the user, with places of the body.
+std::vector<std::string> sweepBetweenTwo(const SolidToSweep& solid, NamedCaps named,
   const SolidSweepSettings& settings, StageClock& stages, const Progress& progress, BodyMesh& mesh)
 {
   SolidSweepSettings own = settings;
@@ -132,6 +136,96 @@ std::vector<std::string> sweepBody(const SolidToSweep& solid, NamedCaps named,
     ranking.push_back(messageAbout(solid.body, line));
   }
   addReport(mesh.hexes->GetFieldData(), reports::Candidates, ranking);
+  return warnings;
+}
+
+double leastOf(const BodyMesh& mesh)
+{
+  return mesh.hexes->GetFieldData()->GetArray(reports::MinScaledJacobian)->GetTuple1(0);
+}
+
+bool isBetter(const BodyMesh& mesh, const BodyMesh& other)
+{
+  return badHexes(mesh) != badHexes(other) ? badHexes(mesh) < badHexes(other)
+                                           : leastOf(mesh) > leastOf(other);
+}
+
+/// Where a sweep between two caps failed (no cells) or has low hexahedra: the same by columns, if
+/// that is better. @return whether it was taken.
+bool replaceByColumns(const SolidToSweep& solid, const SolidSweepSettings& settings,
+  StageClock& stages, const Progress& progress, BodyMesh& mesh, std::vector<std::string>& warnings)
+{
+  const bool failed = mesh.hexes->GetNumberOfCells() == 0;
+  if (!failed && badHexes(mesh) == 0.0 && leastOf(mesh) >= LowScaledJacobian)
+  {
+    return false;
+  }
+  const std::optional<StackWay> way = plainWay(solid.body, *settings.stacks);
+  if (!way)
+  {
+    return false;
+  }
+  try
+  {
+    BodyMesh columns;
+    std::vector<std::string> own =
+      sweepSeveralCaps(solid, *way, settings, stages, progress, columns);
+    if (failed || isBetter(columns, mesh))
+    {
+      mesh = std::move(columns);
+      warnings = std::move(own);
+      return true;
+    }
+  }
+  catch (const InvalidInput&)
+  {
+    // The sweep between two caps says what is wrong.
+  }
+  return false;
+}
+
+/// Sweeps one body. @return what to tell the user, with places of the body.
+std::vector<std::string> sweepBody(const SolidToSweep& solid, const NamedCaps& named,
+  const SolidSweepSettings& settings, StageClock& stages, const Progress& progress, BodyMesh& mesh)
+{
+  if (!settings.stacks)
+  {
+    return sweepBetweenTwo(solid, named, settings, stages, progress, mesh);
+  }
+  const std::optional<StackWay> way = severalCaps(solid.body, *settings.stacks);
+  stages.finish("Topology");
+  if (way)
+  {
+    return sweepSeveralCaps(solid, *way, settings, stages, progress, mesh);
+  }
+  const auto refusal = [&] { return whyNoSeveralCaps(solid.body, *settings.stacks); };
+  const Progress first = progressPart(progress, 0.0, 0.8);
+  const Progress second = progressPart(progress, 0.8, 1.0);
+  std::vector<std::string> warnings;
+  try
+  {
+    warnings = sweepBetweenTwo(solid, named, settings, stages, first, mesh);
+  }
+  catch (const InvalidInput& error)
+  {
+    mesh = BodyMesh();
+    if (replaceByColumns(solid, settings, stages, second, mesh, warnings))
+    {
+      return warnings;
+    }
+    const std::string several = refusal();
+    throw InvalidInput(several.empty() ? std::string(error.what())
+                                       : "the solid has no sweep between several caps: " + several +
+          " Nor is there one between two: " + error.what());
+  }
+  if (!replaceByColumns(solid, settings, stages, second, mesh, warnings) && badHexes(mesh) > 0.0)
+  {
+    const std::string several = refusal();
+    if (!several.empty())
+    {
+      warnings.push_back("there is no sweep between several caps instead: " + several);
+    }
+  }
   return warnings;
 }
 

@@ -29,6 +29,43 @@ double sizeOf(const Points& points)
 }
 }
 
+std::optional<ReadBody> refinedBody(const ReadBody& body, double size, double chordTolerance,
+  bool partTouching, const Progress& progress)
+{
+  // An edge of the quads turns by eight times this.
+  const double angle = chordTolerance > 0.0 ? std::min(Angle, 4.0 * chordTolerance) : Angle;
+  const double deflection =
+    std::max(Deflection * size, LeastDeflection * sizeOf(body.surface.points));
+  try
+  {
+    std::optional<ModelFacets> facets = body.geometry->facets(deflection, angle, progress);
+    if (!facets)
+    {
+      return std::nullopt;
+    }
+    ReadBody result;
+    result.volumeId = body.volumeId;
+    result.name = body.name;
+    result.geometry = body.geometry;
+    SolidInput input;
+    input.points = std::move(facets->points);
+    input.triangles = std::move(facets->triangles);
+    input.faceIds = std::move(facets->faceIds);
+    result.solid = canonicalSolid(input, Reflection());
+    // They were made where the body had been put already.
+    result.solid.reflection = body.solid.reflection;
+    SolidOptions options;
+    options.featureAngle = body.surface.featureAngle;
+    options.partTouching = partTouching;
+    result.surface = makeSolidSurface(result.solid.input, options);
+    return result;
+  }
+  catch (const InvalidInput&)
+  {
+    return std::nullopt;
+  }
+}
+
 std::optional<FineBody> fineBody(const ReadBody& body, const SweepTopology& topology, double size,
   double chordTolerance, const Progress& progress)
 {
@@ -44,28 +81,13 @@ std::optional<FineBody> fineBody(const ReadBody& body, const SweepTopology& topo
       size = defaultQuadSize(
         surfacePart(coarse.points, coarse.triangles, topology.sourceTriangles).mesh);
     }
-    // An edge of the quads turns by eight times this.
-    const double angle = chordTolerance > 0.0 ? std::min(Angle, 4.0 * chordTolerance) : Angle;
-    const double deflection = std::max(Deflection * size, LeastDeflection * sizeOf(coarse.points));
-    std::optional<ModelFacets> facets = body.geometry->facets(deflection, angle, progress);
-    if (!facets)
+    std::optional<ReadBody> refined = refinedBody(body, size, chordTolerance, false, progress);
+    if (!refined)
     {
       return std::nullopt;
     }
     FineBody result;
-    result.body.volumeId = body.volumeId;
-    result.body.name = body.name;
-    result.body.geometry = body.geometry;
-    SolidInput input;
-    input.points = std::move(facets->points);
-    input.triangles = std::move(facets->triangles);
-    input.faceIds = std::move(facets->faceIds);
-    result.body.solid = canonicalSolid(input, Reflection());
-    // They were made where the body had been put already.
-    result.body.solid.reflection = body.solid.reflection;
-    SolidOptions options;
-    options.featureAngle = coarse.featureAngle;
-    result.body.surface = makeSolidSurface(result.body.solid.input, options);
+    result.body = std::move(*refined);
     result.topology =
       sweepBetween(result.body.surface, topology.sourceFaceIds, topology.targetFaceIds);
     return result;

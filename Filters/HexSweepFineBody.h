@@ -34,6 +34,16 @@ std::optional<FineBody> fineBody(const ReadBody& body, const SweepTopology& topo
   double chordTolerance, const Progress& progress = {});
 
 /**
+ * The same without caps.
+ *
+ * @param size of the hexahedra, > 0. @param partTouching see SolidOptions.
+ * @return nothing where the kernel does not give a closed surface.
+ * @throw Aborted.
+ */
+std::optional<ReadBody> refinedBody(const ReadBody& body, double size, double chordTolerance,
+  bool partTouching, const Progress& progress = {});
+
+/**
  * Whether the triangles lie on the geometry, as they do not when they were moved since they were
  * read.
  */

@@ -15,6 +15,7 @@
 #include "HexSweepHexOutput.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,16 @@ struct SolidToSweep
   const ReadBody& body;
 };
 
+/// Of sweeps between several caps, see vtkManyToManySweep.
+struct StackSweepSettings
+{
+  Eigen::RowVector3d direction = Eigen::RowVector3d::Zero(); ///< 0: it is found
+  Eigen::RowVector3d axisPoint = Eigen::RowVector3d::Zero();
+  Eigen::RowVector3d axisDirection = Eigen::RowVector3d::Zero(); ///< 0: none is given
+  double draftAngle = 0.0;                                       ///< degrees
+  double imprintTolerance = 0.05;                                ///< see StackOptions
+};
+
 struct SolidSweepSettings
 {
   double size = 0.0;           ///< see vtkOneToOneSweep::SetSize()
@@ -45,6 +56,8 @@ struct SolidSweepSettings
   bool snapToGeometry = true; ///< see vtkOneToOneSweep::SetSnapToGeometry()
   bool targetIsNamed = false; ///< one that is not may not lie behind the source
   HexOutputSettings hexes;
+  /// Bodies with several caps are swept between all of them; nothing: they are not.
+  std::optional<StackSweepSettings> stacks;
   /// Takes what the user should know before the work begins.
   std::function<void(const std::string&)> tell;
 };

@@ -23,6 +23,7 @@ ALLOWED = {
     "Hexahedra": ["Common", "Geometry", "Solvers"],
     "Interior": ["Common", "Geometry", "Surfaces", "Solvers", "Linking", "Hexahedra"],
     "Solids": ["Common", "Geometry", "Surfaces", "Solvers", "Linking", "CapQuads", "Interior"],
+    "Stacks": ["Common", "Geometry", "Surfaces", "CapQuads", "Hexahedra", "Solids"],
     "Assemblies": [
         "Common",
         "Geometry",
@@ -33,6 +34,7 @@ ALLOWED = {
         "Hexahedra",
         "Interior",
         "Solids",
+        "Stacks",
     ],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)

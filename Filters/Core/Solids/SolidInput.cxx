@@ -6,6 +6,7 @@
 #include "Core/Solids/ClosedSurface.h"
 #include "Core/Solids/DegenerateTriangles.h"
 #include "Core/Solids/SolidMessages.h"
+#include "Core/Solids/TouchingSheets.h"
 #include "Core/Surfaces/FeatureFaces.h"
 #include "Core/Surfaces/OpenEdgeWelding.h"
 #include "Core/Surfaces/TriangleAngles.h"
@@ -221,6 +222,10 @@ SolidSurface makeSolidSurface(const SolidInput& input, const SolidOptions& optio
   }
   solid.flippedTriangles = flipDegenerateTriangles(solid);
   checkAreas(solid);
+  if (options.partTouching)
+  {
+    partTouchingSheets(solid);
+  }
 
   const std::vector<Index> twins = closedTwins(solid);
   checkPointFans(solid, twins);

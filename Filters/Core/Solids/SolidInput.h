@@ -38,6 +38,8 @@ struct SolidOptions
   /// where there are no face ids.
   double featureAngle = Pi / 6.0;
   Index firstFaceId = 0; ///< of faces that are found by angle
+  /// Part the surface where it touches itself, see partTouchingSheets(), instead of refusing it.
+  bool partTouching = false;
 };
 
 /// Some triangles of a solid, in this order, with all of its points; ids are those of the solid.

@@ -29,7 +29,7 @@ _EPILOG = """Exit status: 0 certified, 2 meshed but not certified, 1 refused, fa
 _EPILOG_CHECKING = """Exit status: 0 all solid cells are certified hexahedra, 2 some are not, 1 refused, failed or
 wrong usage."""
 
-# Option, property of vtkOneToOneSweep, type, help. What is not given is the filter's own default.
+# Option, property of the filter, type, help. What is not given is the filter's own default.
 _SETTINGS = (
     ("--size", "Size", float, "edge length of the hexahedra (chosen)"),
     ("--layers", "NumberOfLayers", int, "number of layers"),
@@ -37,10 +37,15 @@ _SETTINGS = (
     ("--growth", "GrowthRatio", float, "thickness of a layer over the last"),
     ("--quad-size", "QuadSize", float, "edge length of quads made"),
     ("--feature-angle", "FeatureAngle", float, "without face ids: degrees between two faces"),
+    ("--draft", "DraftAngle", float, "several caps: degrees that sides may lean"),
+    ("--imprint-tolerance", "ImprintTolerance", float,
+     "several caps: distance over size up to which their curves are one"),
     ("--tolerance", "MatchTolerance", float, "distance over edge length up to which points are one"),
 )
 # These tell faces apart, so they are for listing too.
 _OF_FACES = ("FeatureAngle", "MatchTolerance")
+# Only sweeps between several caps have these.
+OF_SEVERAL_CAPS = ("DraftAngle", "ImprintTolerance")
 
 _METHODS = {
     name.lower().replace("_", "-"): getattr(vtkCageHexInterior, name)
@@ -73,7 +78,26 @@ def parse(words):
         options.settings = _settings(options)
     if options.command == "mesh":
         _check_output(options, parser)
+        _check_way(options, parser)
     return options
+
+
+def is_between_two(options):
+    """Whether words are given that only a sweep between two caps has; without them each body is swept
+    between two caps where it has two, else between all of its caps."""
+    given = (options.source, options.target, options.quads, options.positions, options.both_ends)
+    properties = ("Method", "QuadSize", "GrowthRatio")
+    return any(given) or any(name in options.settings for name in properties)
+
+
+def _check_way(options, parser):
+    several = options.direction or any(name in options.settings for name in OF_SEVERAL_CAPS)
+    if several and is_between_two(options):
+        parser.error(
+            "--direction, --draft and --imprint-tolerance are for sweeps between several caps; --source, "
+            "--target, --quads, --quad-size, --positions, --growth, --both-ends and --method are for those "
+            "between two: give some of the ones or of the others"
+        )
 
 
 def _settings(options):
@@ -138,6 +162,10 @@ def _mesh_parser():
         "obeyed where it is there",
     )
     parser.add_argument("--quads", metavar="FILE", help="quads of the source cap (they are made)")
+    parser.add_argument(
+        "--direction", type=float, nargs=3, metavar=("X", "Y", "Z"),
+        help="of a sweep between several caps (found)",
+    )
     parser.add_argument("--both-ends", action="store_true", help="layers grow from both caps")
     parser.add_argument(
         "--positions", type=float, nargs="+", metavar="SHARE", help="of the layers, each in (0, 1)"

@@ -3,8 +3,9 @@
 
 import os
 
-from .. import vtkOneToOneSweep
+from .. import vtkManyToManySweep, vtkOneToOneSweep
 from . import assembly, picture, report, threads, writing
+from .arguments import is_between_two
 from .faces import choose_face_ids
 from .messages import Refusal, VtkMessages
 from .output import new_files
@@ -74,7 +75,7 @@ def _single(solid, options, bar, messages):
     """One body, or several that are meshed by themselves. @throw Refusal."""
     if options.plan:
         raise Refusal(f"--plan: {options.solid} has no bodies that touch.")
-    sweep = bar.follow(vtkOneToOneSweep())
+    sweep = bar.follow(vtkOneToOneSweep() if is_between_two(options) else vtkManyToManySweep())
     sweep.SetSolidData(solid)
     if options.quads:
         sweep.SetSourceQuadsData(read(options.quads, messages))
@@ -83,11 +84,11 @@ def _single(solid, options, bar, messages):
 
 
 def _settings(options):
-    """As they were given; the others are those of vtkOneToOneSweep."""
+    """As they were given; the others are those of the filter."""
     lists = {
         "SourceFaceIds": options.source, "TargetFaceIds": options.target,
         "VolumeIds": options.volumes, "LayerPositions": options.positions,
-        "SetIds": dict(options.set_ids),
+        "SetIds": dict(options.set_ids), "SweepDirection": options.direction,
     }
     given = {name: value for name, value in lists.items() if value}
     return {**options.settings, **given, "GrowFromBothEnds": options.both_ends}
@@ -95,6 +96,8 @@ def _settings(options):
 
 def _configure(sweep, options):
     choose_face_ids(sweep, options)
+    if options.direction:
+        sweep.SetSweepDirection(*options.direction)
     for face in options.source or []:
         sweep.AddSourceFaceId(face)
     for face in options.target or []:

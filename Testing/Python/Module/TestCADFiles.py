@@ -55,6 +55,24 @@ def test_names_of_faces_arrive_in_the_sets():
                 assert part.encode() in file.read(), (extension, part)
 
 
+def test_bodies_with_several_caps_are_meshed():
+    shaft = os.path.join(os.environ["HEXSWEEP_DATA_DIR"], "cad", "stepped_shaft.step")
+    with temporary_folder() as folder:
+        name = os.path.join(folder, "shaft.vtu")
+        done = run(shaft, "-o", name)
+        assert done.returncode == 0 and done.stderr == "", done.stderr
+        assert read(name).GetFieldData().GetArray("SweepReportRegions").GetTuple1(0) > 1
+        # The other ways to sweep the plate with slopes: along its direction of several caps, named.
+        slopes = os.path.join(os.environ["HEXSWEEP_DATA_DIR"], "cad", "sloped_steps.step")
+        done = run(slopes, "-o", name, "--direction", "0", "0", "1")
+        assert done.returncode == 0, done.stderr
+        found = read(name).GetFieldData().GetArray("SweepReportSweepDirection")
+        assert [abs(found.GetValue(i)) for i in range(3)] == [0.0, 0.0, 1.0]
+        refused(
+            slopes, "-o", name, "--direction", "0", "0", "1", "--source", "1", part="several caps"
+        )
+
+
 def test_bad_files_are_refused_in_one_line():
     with temporary_folder() as folder:
         cut = os.path.join(folder, "cut.step")

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hexsweep
 {
@@ -20,7 +21,8 @@ namespace
 constexpr double Degree = Pi / 180.0;
 constexpr double FacetLean = 2.0 * Degree;
 constexpr double TriangleLean = 10.0 * Degree;
-constexpr double ChordMean = 10.0 * Degree;
+constexpr double UprightLean = 1.0 * Degree; // of all sides together
+constexpr double ChordMean = 6.0 * Degree;
 constexpr double ChordLean = 40.0 * Degree;
 constexpr double LeastLean = 0.25 * Degree;
 constexpr double LeastCap = 8.0 * Degree; // off the direction
@@ -274,18 +276,25 @@ CapLikeFaces capLikeFaces(
     lean.greatest = std::max(lean.greatest, sine);
   }
   findInnerPoints(solid, result.faceOf, leans);
+  double sideArea = 0.0;
   for (std::size_t f = 0; f < ids.size(); ++f)
   {
     StackFace face;
     face.id = ids[f];
     face.area = leans[f].area;
     decide(leans[f], draft, face);
+    if (face.kind == StackFaceKind::Side)
+    {
+      sideArea += face.area;
+      result.sideLean += leans[f].mean * face.area;
+    }
     if (face.kind == StackFaceKind::Side && std::abs(leans[f].whole) > std::sin(LeastLean))
     {
       result.leaning.push_back(face.id);
     }
     result.faces.push_back(std::move(face));
   }
+  result.sideLean /= std::max(sideArea, std::numeric_limits<double>::min());
   joinCaps(solid, result);
   for (const StackFace& face : result.faces)
   {

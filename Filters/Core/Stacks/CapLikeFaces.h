@@ -40,6 +40,8 @@ struct CapLikeFaces
   Index tops = 0;
   Index bottoms = 0;
   double refusedArea = 0.0; ///< of the faces that are neither
+  /// Mean sine of the angle of the sides' triangles off the direction, by area.
+  double sideLean = 0.0;
   /// Sides that lean: the mean of their normals is more than a quarter of a degree off the plane
   /// across, which facets of an upright side do not make it.
   std::vector<Index> leaning; ///< ids, rising

@@ -82,11 +82,7 @@ public:
         }
       }
       this->addVolume(static_cast<Index>(v));
-      for (const CarriedCurve& curve : this->Plan.sweeps[v].carried)
-      {
-        this->Programme.equations.push_back({ curvesOf(curve.source), { curve.target.curve },
-          "volume " + std::to_string(v + 1) + " has the borders of its target on its source" });
-      }
+      this->addCarried(static_cast<Index>(v));
     }
     return std::move(this->Programme);
   }
@@ -124,6 +120,90 @@ private:
       wish.even = onCaps.count(static_cast<Index>(c)) > 0;
       wish.least = curve.closed() ? LeastClosed : wish.even ? 2 : 1;
       this->Programme.wishes.push_back(wish);
+    }
+  }
+
+  /// Borders of the target have as many edges as their images, and end at the same columns.
+  void addCarried(Index volume)
+  {
+    const SweepLayout& sweep = this->Plan.sweeps[at(volume)];
+    const std::string words =
+      "volume " + std::to_string(volume + 1) + " has the borders of its target on its source";
+    std::map<Index, Index> imageOf; // of points of the source cap where borders end
+    for (const CarriedCurve& curve : sweep.carried)
+    {
+      this->Programme.equations.push_back(
+        { curvesOf(curve.source), { curve.target.curve }, words });
+      imageOf[this->firstPoint(curve.source.front())] = this->firstPoint(curve.target);
+      imageOf[this->lastPoint(curve.source.back())] = this->lastPoint(curve.target);
+    }
+    for (const SideFace& side : sweep.sides)
+    {
+      if (!side.isPolygon())
+      {
+        this->addEnds(side, imageOf, words);
+      }
+    }
+  }
+
+  Index firstPoint(const CurveUse& use) const
+  {
+    const std::vector<Index>& points = this->Complex.curves[at(use.curve)].points;
+    return use.reversed ? points.back() : points.front();
+  }
+  Index lastPoint(const CurveUse& use) const
+  {
+    return this->firstPoint({ use.curve, !use.reversed });
+  }
+
+  /// Where points of the lower chain of a side have images on the upper one, as many rows lie
+  /// before both (on a tube: between two of them and between their images).
+  void addEnds(
+    const SideFace& side, const std::map<Index, Index>& imageOf, const std::string& words)
+  {
+    std::vector<CurveUse> top(side.chains[2].rbegin(), side.chains[2].rend());
+    for (CurveUse& use : top)
+    {
+      use.reversed = !use.reversed;
+    }
+    const std::vector<CurveUse>& bottom = side.chains[0];
+    std::map<Index, std::size_t> placeAtTop;
+    for (std::size_t j = 0; j < top.size(); ++j)
+    {
+      placeAtTop[this->firstPoint(top[j])] = j;
+    }
+    struct End
+    {
+      std::size_t below;
+      std::size_t above;
+    };
+    std::vector<End> ends;
+    if (!side.isTube())
+    {
+      ends.push_back({ 0, 0 });
+    }
+    for (std::size_t i = side.isTube() ? 0 : 1; i < bottom.size(); ++i)
+    {
+      const auto image = imageOf.find(this->firstPoint(bottom[i]));
+      const auto above = image == imageOf.end() ? placeAtTop.end() : placeAtTop.find(image->second);
+      if (above != placeAtTop.end())
+      {
+        ends.push_back({ i, above->second });
+      }
+    }
+    const auto between = [](const std::vector<CurveUse>& chain, std::size_t from, std::size_t to) {
+      std::vector<Index> curves;
+      for (std::size_t k = from; k != to; k = (k + 1) % chain.size())
+      {
+        curves.push_back(chain[k].curve);
+      }
+      return curves;
+    };
+    // The last part follows from the others.
+    for (std::size_t e = 1; e < ends.size(); ++e)
+    {
+      this->Programme.equations.push_back({ between(bottom, ends[e - 1].below, ends[e].below),
+        between(top, ends[e - 1].above, ends[e].above), words });
     }
   }
 

@@ -5,6 +5,7 @@
 #include "Core/Assemblies/QuadMatch.h"
 #include "Core/CapQuads/ImageProjection.h"
 #include "Core/CapQuads/SweepProjection.h"
+#include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 #include "Core/Geometry/SurfaceSearch.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace hexsweep
@@ -218,10 +220,77 @@ std::vector<Index> projectToTarget(const AssemblyComplex& complex, const Assembl
   return nodes;
 }
 
+/// Of quads: the first quad of the part between the target's borders that each is in.
+std::vector<Index> partsBetweenBorders(
+  const SweepLayout& layout, const Quads& quads, const AssemblyMesh& mesh)
+{
+  std::set<std::pair<Index, Index>> borders;
+  for (const CarriedCurve& curve : layout.carried)
+  {
+    const std::vector<Index>& nodes = mesh.curves[at(curve.target.curve)].nodes;
+    for (std::size_t k = 1; k < nodes.size(); ++k)
+    {
+      borders.insert(std::minmax(nodes[k - 1], nodes[k]));
+    }
+  }
+  DisjointSets parts(quads.rows());
+  std::map<std::pair<Index, Index>, Index> quadAt;
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    for (Index c = 0; c < 4; ++c)
+    {
+      const std::pair<Index, Index> edge = std::minmax({ quads(q, c), quads(q, (c + 1) % 4) });
+      const auto [known, isNew] = quadAt.try_emplace(edge, q);
+      // Without borders each quad is a part: the faces' borders are no edges of the quads.
+      if (!isNew && !borders.empty() && borders.count(edge) == 0)
+      {
+        parts.join(known->second, q);
+      }
+    }
+  }
+  std::vector<Index> result;
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    result.push_back(parts.find(q));
+  }
+  return result;
+}
+
+/// Rows of the target's quads by the face that most of their part lie on.
+std::map<Index, std::vector<Index>> rowsByFace(const AssemblyComplex& complex, Index volume,
+  const SweepLayout& layout, const Quads& quads, const AssemblyMesh& mesh)
+{
+  const std::vector<Index> triangles = trianglesOfFaces(complex, layout.targets);
+  const SurfaceSearch surface(partOfVolume(complex, volume, triangles).mesh);
+  const std::vector<Index> parts = partsBetweenBorders(layout, quads, mesh);
+  std::map<Index, std::map<Index, Index>> votes; // by part and face
+  Index near = -1;
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+    for (Index c = 0; c < 4; ++c)
+    {
+      middle += 0.25 * mesh.nodes[quads(q, c)];
+    }
+    near = surface.project(middle, near).triangle;
+    ++votes[parts[at(q)]][complex.faceOf[at(triangles[at(near)])]];
+  }
+  std::map<Index, std::vector<Index>> rows;
+  for (Index q = 0; q < quads.rows(); ++q)
+  {
+    const std::map<Index, Index>& own = votes[parts[at(q)]];
+    const auto most = std::max_element(own.begin(), own.end(),
+      [](const auto& one, const auto& other) { return one.second < other.second; });
+    rows[most->first].push_back(q);
+  }
+  return rows;
+}
+
 /// Stores the target's quads with the faces that they lie on.
 void keepTarget(const AssemblyComplex& complex, Index volume, const SweepLayout& layout,
   const Quads& source, const std::vector<Index>& nodes, AssemblyMesh& mesh)
 {
+  const Quads target = source.unaryExpr([&](Index point) { return nodes[at(point)]; });
   std::map<Index, std::vector<Index>> rowsOfFace;
   if (layout.targets.size() == 1)
   {
@@ -231,19 +300,7 @@ void keepTarget(const AssemblyComplex& complex, Index volume, const SweepLayout&
   }
   else
   {
-    const std::vector<Index> triangles = trianglesOfFaces(complex, layout.targets);
-    const SurfaceSearch surface(partOfVolume(complex, volume, triangles).mesh);
-    Index near = -1;
-    for (Index q = 0; q < source.rows(); ++q)
-    {
-      Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
-      for (Index c = 0; c < 4; ++c)
-      {
-        middle += 0.25 * mesh.nodes[nodes[at(source(q, c))]];
-      }
-      near = surface.project(middle, near).triangle;
-      rowsOfFace[complex.faceOf[at(triangles[at(near)])]].push_back(q);
-    }
+    rowsOfFace = rowsByFace(complex, volume, layout, target, mesh);
   }
   for (const auto& [face, rows] : rowsOfFace)
   {
@@ -254,7 +311,7 @@ void keepTarget(const AssemblyComplex& complex, Index volume, const SweepLayout&
     {
       for (Index c = 0; c < 4; ++c)
       {
-        quads(static_cast<Index>(r), turned ? (4 - c) % 4 : c) = nodes[at(source(rows[r], c))];
+        quads(static_cast<Index>(r), turned ? (4 - c) % 4 : c) = target(rows[r], c);
       }
     }
     mesh.faces[at(face)] = std::move(quads);

@@ -27,7 +27,7 @@ def test_faces_have_their_kinds_of_surface():
 def test_all_solids_are_meshed_with_their_nodes_on_the_surfaces():
     with temporary_folder() as folder:
         name = os.path.join(folder, "pin.vtu")
-        done = run(_ASSEMBLY, "-o", name, "--size", "3")
+        done = run(_ASSEMBLY, "-o", name, "--size", "3", "--separate")
         assert done.returncode == 0 and done.stderr == "", done.stderr
         mesh = read(name)
         data = mesh.GetFieldData()

@@ -22,5 +22,5 @@ write_basic_package_version_file("${hexsweep_config_version}" COMPATIBILITY Same
 install(FILES "${hexsweep_config}" "${hexsweep_config_version}"
   DESTINATION "${hexsweep_cmake_destination}"
   COMPONENT development)
-install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/HexSweep"
+install(FILES LICENSE THIRD_PARTY_LICENSES.md DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/HexSweep"
   COMPONENT licenses)

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace hexsweep
@@ -41,10 +42,8 @@ void addVolume(SolidSurface surface, Index id, const SolidPort& port, AssemblyIn
   const std::string name = names && id >= 0 && id < names->GetNumberOfValues()
     ? std::string(names->GetValue(id))
     : std::string();
-  input.labels.ids.push_back(std::max<Index>(1, id));
-  const std::string number = std::to_string(input.labels.ids.back());
-  input.labels.names.push_back(name.empty() ? "Volume " + number : name);
-  volume.name = "volume " + number + (name.empty() ? std::string() : " (\"" + name + "\")");
+  input.labels.ids.push_back(id);
+  input.labels.names.push_back(name);
   input.volumes.push_back(std::move(volume));
 }
 
@@ -74,6 +73,23 @@ Triangles withMergedPoints(const SolidInput& input)
   return input.triangles.unaryExpr([&](Index i) { return first[at(i)]; });
 }
 
+/// Rows of triangles without those that lie on an earlier one, as surfaces of two readers do.
+std::vector<Index> withoutTwins(const Triangles& triangles)
+{
+  std::set<std::array<Index, 3>> known;
+  std::vector<Index> rows;
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    std::array<Index, 3> corners{ triangles(t, 0), triangles(t, 1), triangles(t, 2) };
+    std::sort(corners.begin(), corners.end());
+    if (known.insert(corners).second)
+    {
+      rows.push_back(t);
+    }
+  }
+  return rows;
+}
+
 bool isComplex(const Triangles& triangles, Index points)
 {
   bool found = false;
@@ -86,7 +102,13 @@ bool isComplex(const Triangles& triangles, Index points)
 void addRegions(const SolidData& solid, const Triangles& merged, const SolidOptions& options,
   const SolidPort& port, AssemblyInput& input)
 {
-  const std::vector<SurfaceRegion> regions = surfaceRegions(solid.surface.points, merged);
+  const std::vector<Index> rows = withoutTwins(merged);
+  Triangles once(static_cast<Index>(rows.size()), 3);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    once.row(static_cast<Index>(r)) = merged.row(rows[r]);
+  }
+  const std::vector<SurfaceRegion> regions = surfaceRegions(solid.surface.points, once);
   if (regions.empty())
   {
     throw InvalidInput("the surfaces enclose no volume. Close them: each edge needs two faces at "
@@ -95,7 +117,12 @@ void addRegions(const SolidData& solid, const Triangles& merged, const SolidOpti
   Index id = 0;
   for (const SurfaceRegion& region : regions)
   {
-    SolidInput own = selectTriangles(solid.surface, region.rows);
+    std::vector<Index> given;
+    for (const Index row : region.rows)
+    {
+      given.push_back(rows[at(row)]);
+    }
+    SolidInput own = selectTriangles(solid.surface, given);
     own.triangles = region.triangles;
     try
     {
@@ -135,7 +162,35 @@ std::map<Index, vtkSmartPointer<vtkUnstructuredGrid>> volumeCells(vtkDataSet* da
 }
 }
 
-AssemblyInput readAssembly(
+namespace
+{
+/// Ids below 1 would be taken for no volume: then all are numbered from 1 on.
+void numberFromOne(AssemblyInput& input)
+{
+  std::vector<Index>& ids = input.labels.ids;
+  if (std::all_of(ids.begin(), ids.end(), [](Index id) { return id > 0; }))
+  {
+    return;
+  }
+  for (std::size_t v = 0; v < ids.size(); ++v)
+  {
+    ids[v] = static_cast<Index>(v) + 1;
+  }
+}
+
+void nameVolumes(AssemblyInput& input)
+{
+  for (std::size_t v = 0; v < input.volumes.size(); ++v)
+  {
+    const std::string number = std::to_string(input.labels.ids[v]);
+    std::string& name = input.labels.names[v];
+    input.volumes[v].name =
+      "volume " + number + (name.empty() ? std::string() : " (\"" + name + "\")");
+    name = name.empty() ? "Volume " + number : name;
+  }
+}
+
+AssemblyInput readVolumes(
   const SolidPort& port, const std::string& faceIdArray, const SolidOptions& options)
 {
   AssemblyInput input;
@@ -163,11 +218,22 @@ AssemblyInput readAssembly(
     }
   }
   std::vector<ReadBody> bodies = readBodies(port.data, faceIdArray, options);
-  checkAreSolids(bodies);
   for (ReadBody& body : bodies)
   {
-    addVolume(givenSurface(body), body.volumeId, port, input);
+    const std::string problem = body.problem;
+    addVolume(problem.empty() ? givenSurface(body) : SolidSurface(), body.volumeId, port, input);
+    input.volumes.back().problem = problem;
   }
+  return input;
+}
+}
+
+AssemblyInput readAssembly(
+  const SolidPort& port, const std::string& faceIdArray, const SolidOptions& options)
+{
+  AssemblyInput input = readVolumes(port, faceIdArray, options);
+  numberFromOne(input);
+  nameVolumes(input);
   return input;
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAssemblySweep.h"
 
+#include "Core/Common/Describe.h"
 #include "HexSweepAssemblyInput.h"
 #include "HexSweepAssemblyOutput.h"
 #include "HexSweepBodies.h"
@@ -17,6 +18,8 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkAssemblySweep);
@@ -25,6 +28,22 @@ using namespace hexsweep;
 
 namespace
 {
+/// @throw InvalidInput where a volume is named that is not there.
+template <typename Named>
+void checkNamed(const VolumeLabels& labels, const Named& named, const std::string& what)
+{
+  for (const auto& [volume, value] : named)
+  {
+    if (std::find(labels.ids.begin(), labels.ids.end(), volume) == labels.ids.end())
+    {
+      throw InvalidInput(what + " are named for volume " + std::to_string(volume) +
+        ", and there is no such volume. There are " + std::to_string(labels.ids.size()) +
+        ", from " + std::to_string(labels.ids.front()) + " to " +
+        std::to_string(labels.ids.back()) + ".");
+    }
+  }
+}
+
 /// @throw InvalidInput for a number below 1.
 Index layersOf(const std::map<vtkIdType, vtkIdType>& named, Index volumeId)
 {
@@ -136,7 +155,16 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
     volumes[v].named = { idsOf(this->Sources, id), idsOf(this->Targets, id),
       layersOf(this->Layers, id) };
   }
-  PlannedAssembly planned = planVolumes(volumes, this->Size, pipelineProgress(this, 0.05, 0.15));
+  if (!(this->Size >= 0.0) || !std::isfinite(this->Size))
+  {
+    throw InvalidInput("the size is " + describe(this->Size) +
+      ". Set Size to a positive length, or to 0 for one that fits the assembly.");
+  }
+  checkNamed(labels, this->Sources, "sources");
+  checkNamed(labels, this->Targets, "targets");
+  checkNamed(labels, this->Layers, "layers");
+  PlannedAssembly planned =
+    planVolumes(volumes, this->Size, this->MatchTolerance, pipelineProgress(this, 0.05, 0.15));
   for (const std::string& warning : planned.warnings)
   {
     if (ranks.rank() == 0)

@@ -95,7 +95,7 @@ public:
     std::vector<std::size_t> byStart(wide.size());
     for (std::size_t v = 0; v < wide.size(); ++v)
     {
-      const double gap = NarrowGap * wide[v].diagonal().norm();
+      const double gap = wide[v].isEmpty() ? 0.0 : NarrowGap * wide[v].diagonal().norm();
       wide[v].min().array() -= gap;
       wide[v].max().array() += gap;
       byStart[v] = v;
@@ -106,6 +106,10 @@ public:
     for (std::size_t i = 0; i < byStart.size(); ++i)
     {
       const Box& own = wide[byStart[i]];
+      if (own.isEmpty())
+      {
+        continue;
+      }
       for (std::size_t j = i + 1; j < byStart.size() && wide[byStart[j]].min()[0] <= own.max()[0];
            ++j)
       {

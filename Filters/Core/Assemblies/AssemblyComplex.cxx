@@ -5,12 +5,15 @@
 #include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
+#include "Core/Geometry/PointGrid.h"
 #include "Core/Surfaces/FaceSides.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -151,8 +154,48 @@ std::vector<Index> piecesOf(
   return result;
 }
 
+double shortestEdge(const Points& points, const std::vector<std::vector<Corners>>& triangles)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const std::vector<Corners>& solid : triangles)
+  {
+    for (const Corners& corners : solid)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        shortest =
+          std::min(shortest, (points.row(corners[c]) - points.row(corners[(c + 1) % 3])).norm());
+      }
+    }
+  }
+  return shortest;
+}
+
+/// For each point the lowest one that is near it, itself or by others.
+std::vector<Index> nearPoints(const Points& points, double radius)
+{
+  std::vector<Index> ids(at(points.rows()));
+  std::iota(ids.begin(), ids.end(), Index(0));
+  if (!(radius > 0.0) || !std::isfinite(radius))
+  {
+    return ids;
+  }
+  const PointGrid grid(points, ids, radius);
+  DisjointSets sets(points.rows());
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    grid.forEachNear(points.row(i), radius, [&](Index other, double) { sets.join(i, other); });
+  }
+  for (Index& id : ids)
+  {
+    id = sets.find(id);
+  }
+  return ids;
+}
+
 /// Collects faces and triangles, volume after volume.
-void addSolids(const std::vector<const SolidSurface*>& solids, AssemblyComplex& complex)
+void addSolids(
+  const std::vector<const SolidSurface*>& solids, double matchTolerance, AssemblyComplex& complex)
 {
   PlaceNumbers places;
   std::vector<std::vector<Corners>> corners;
@@ -168,11 +211,23 @@ void addSolids(const std::vector<const SolidSurface*>& solids, AssemblyComplex& 
       {
         own[static_cast<std::size_t>(c)] = places.numberOf(solid.points.row(solid.triangles(t, c)));
       }
-      all.push_back(solidTriangle(own, static_cast<Index>(v), t));
+    }
+  }
+  complex.points = places.points();
+  const std::vector<Index> merged =
+    nearPoints(complex.points, matchTolerance * shortestEdge(complex.points, corners));
+  for (std::size_t v = 0; v < solids.size(); ++v)
+  {
+    for (std::size_t t = 0; t < corners[v].size(); ++t)
+    {
+      for (Index& corner : corners[v][t])
+      {
+        corner = merged[at(corner)];
+      }
+      all.push_back(solidTriangle(corners[v][t], static_cast<Index>(v), static_cast<Index>(t)));
     }
   }
   const std::vector<std::vector<Partner>> partners = partnersOf(solids, std::move(all));
-  complex.points = places.points();
 
   // What is a face of two volumes is one: by both volumes and both ids.
   using Label = std::array<Index, 4>;
@@ -401,10 +456,11 @@ void traceFaceLoops(AssemblyComplex& complex)
 }
 }
 
-AssemblyComplex makeAssemblyComplex(const std::vector<const SolidSurface*>& solids)
+AssemblyComplex makeAssemblyComplex(
+  const std::vector<const SolidSurface*>& solids, double matchTolerance)
 {
   AssemblyComplex complex;
-  addSolids(solids, complex);
+  addSolids(solids, matchTolerance, complex);
   traceCurves(complex);
   return complex;
 }

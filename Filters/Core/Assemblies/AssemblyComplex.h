@@ -63,9 +63,10 @@ struct AssemblyComplex
 };
 
 /**
- * Points are the same where they have the same coordinates, and triangles of two solids are one
- * where they have the same corners and face each other. What two solids share of two of their faces
- * is a face, each connected piece by itself, with the first one's id.
+ * Points are the same where they are nearer to each other than `matchTolerance` of the shortest
+ * edge, and triangles of two solids are one where they have the same corners and face each other.
+ * What two solids share of two of their faces is a face, each connected piece by itself, with the
+ * first one's id.
  *
  * Curves end where more or fewer than two border edges meet, where other faces begin, and at
  * corners (turns of more than 30 degrees). A closed curve without any of these begins at its point
@@ -76,7 +77,8 @@ struct AssemblyComplex
  * @throw InvalidInput naming a face that more than two solids have, and where the border of a face
  *        touches itself.
  */
-AssemblyComplex makeAssemblyComplex(const std::vector<const SolidSurface*>& solids);
+AssemblyComplex makeAssemblyComplex(
+  const std::vector<const SolidSurface*>& solids, double matchTolerance = 1e-6);
 
 /// Finds curves and loops anew, after faces were cut.
 void traceCurves(AssemblyComplex& complex);

@@ -87,6 +87,9 @@ public:
     return result;
   }
 
+  /// Volumes of which another way may help; empty: any.
+  const std::set<Index>& culprits() const { return this->Culprits; }
+
 private:
   const std::vector<Index>& cap(Index volume, bool second) const
   {
@@ -159,6 +162,35 @@ private:
     bool second;
   };
 
+  /// Quads that are known at two places of a stack are the same where each cap is one face alone.
+  bool canBePinned(
+    const std::vector<Index>& stack, const std::vector<Root>& pinned, std::string& why)
+  {
+    const bool areWhole = std::all_of(pinned.begin(), pinned.end(),
+      [&](const Root& root) { return this->cap(root.volume, root.second).size() == 1; });
+    if (pinned.size() < 2 || areWhole)
+    {
+      return true;
+    }
+    why = "two caps of " + nameOfVolume(pinned[0].volume) +
+      (pinned[1].volume == pinned[0].volume ? "" : " and " + nameOfVolume(pinned[1].volume)) +
+      ", which are stacked, have sides of other volumes in them";
+    // Another way for one of these, or for a volume whose side is in a cap, may do.
+    this->Culprits.insert(stack.begin(), stack.end());
+    for (const Root& root : pinned)
+    {
+      for (const Index face : this->cap(root.volume, root.second))
+      {
+        const Index other = this->beyond(root.volume, face);
+        if (other >= 0)
+        {
+          this->Culprits.insert(other);
+        }
+      }
+    }
+    return false;
+  }
+
   bool orderStack(const std::vector<Index>& stack, std::vector<Index>& order, std::string& why)
   {
     std::vector<Root> pinned;
@@ -181,6 +213,10 @@ private:
     if (!pinned.empty())
     {
       roots = pinned;
+    }
+    if (!this->canBePinned(stack, pinned, why))
+    {
+      return false;
     }
     std::stable_sort(roots.begin(), roots.end(), [&](const Root& a, const Root& b) {
       return this->cap(a.volume, a.second).size() > this->cap(b.volume, b.second).size();
@@ -285,6 +321,7 @@ private:
   std::vector<const SweepLayout*> Layouts;
   std::vector<bool> IsFixed;
   std::vector<bool> IsThere;
+  std::set<Index> Culprits;
   SweepLayout None;
   std::vector<bool> IsTurned;
   std::vector<bool> IsDone;
@@ -377,15 +414,17 @@ AssemblyPlan planAssembly(const AssemblyComplex& complex, const std::vector<Volu
     const Choice choice = open.top().second;
     open.pop();
     std::string why;
-    if (std::optional<AssemblyPlan> plan =
-          ChoiceCheck(complex, volumes, choice, canCarry).plan(why))
+    ChoiceCheck check(complex, volumes, choice, canCarry);
+    if (std::optional<AssemblyPlan> plan = check.plan(why))
     {
       return *std::move(plan);
     }
     first = first.empty() ? why : first;
     for (std::size_t v = 0; v < volumes.size() && seen.size() < 20 * most; ++v)
     {
-      if (choice[v] + 1 < volumes[v].options.size())
+      const bool mayHelp =
+        check.culprits().empty() || check.culprits().count(static_cast<Index>(v)) > 0;
+      if (mayHelp && choice[v] + 1 < volumes[v].options.size())
       {
         Choice next = choice;
         ++next[v];

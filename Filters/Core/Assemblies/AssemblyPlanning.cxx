@@ -4,6 +4,7 @@
 #include "Core/Assemblies/AssemblyChecks.h"
 #include "Core/Assemblies/CapImprint.h"
 #include "Core/CapQuads/CapMeshing.h"
+#include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 
@@ -67,6 +68,11 @@ std::vector<VolumeOptions> optionsOf(
   for (std::size_t v = 0; v < volumes.size(); ++v)
   {
     reportProgress(progress, static_cast<double>(v) / static_cast<double>(volumes.size()));
+    planned.problems[v] = volumes[v].problem;
+    if (!volumes[v].problem.empty())
+    {
+      continue;
+    }
     try
     {
       options[v] =
@@ -83,6 +89,51 @@ std::vector<VolumeOptions> optionsOf(
     throw InvalidInput(volumes.front().name + ": " + planned.problems.front());
   }
   return options;
+}
+
+constexpr double MostHexes = 1e9;
+
+void checkSize(const PlannedAssembly& planned)
+{
+  double all = 0.0;
+  for (std::size_t v = 0; v < planned.problems.size(); ++v)
+  {
+    all += planned.problems[v].empty() ? volumeOf(planned.complex, static_cast<Index>(v)) : 0.0;
+  }
+  const double hexes = all / (planned.size * planned.size * planned.size);
+  if (!(hexes <= MostHexes))
+  {
+    throw InvalidInput("hexahedra of size " + describe(planned.size) + " would be about " +
+      describe(hexes) + ", more than a thousand million. Set Size to a larger length, at least " +
+      describe(std::cbrt(all / MostHexes)) + ".");
+  }
+}
+
+/// @return whether there is a plan now; else a volume was left out, with why.
+bool planAndImprint(const std::vector<const SolidSurface*>& solids, double size,
+  std::vector<VolumeOptions>& options, PlannedAssembly& result)
+{
+  result.plan = planAssembly(result.complex, options, [&](Index volume, const SweepLayout& layout) {
+    return capMapOf(result.complex, volume, layout, *solids[at(volume)]).has_value();
+  });
+  result.size = size > 0.0 ? size : defaultSize(result);
+  checkSize(result);
+  try
+  {
+    imprintTargets(solids, result.size, result.complex, result.plan);
+    return true;
+  }
+  catch (const ImprintFailure& failure)
+  {
+    const auto isThere = [](const std::string& problem) { return problem.empty(); };
+    if (std::count_if(result.problems.begin(), result.problems.end(), isThere) < 2)
+    {
+      throw;
+    }
+    result.problems[at(failure.volume())] = failure.what();
+    options[at(failure.volume())] = {};
+    return false;
+  }
 }
 
 /// Rank by rank the work that it has.
@@ -106,8 +157,8 @@ private:
 };
 }
 
-PlannedAssembly planVolumes(
-  const std::vector<AssemblyVolume>& volumes, double size, const Progress& progress)
+PlannedAssembly planVolumes(const std::vector<AssemblyVolume>& volumes, double size,
+  double matchTolerance, const Progress& progress)
 {
   PlannedAssembly result;
   StageClock stages;
@@ -120,17 +171,16 @@ PlannedAssembly planVolumes(
     names.push_back(volume.name);
     layers.push_back(volume.named.layers);
   }
-  result.complex = makeAssemblyComplex(solids);
+  result.complex = makeAssemblyComplex(solids, matchTolerance);
   stages.finish("Faces and curves");
   result.warnings = describeNeighbours(result.complex, solids, names);
   stages.finish("Neighbours");
-  const std::vector<VolumeOptions> options =
-    optionsOf(volumes, progressPart(progress, 0.0, 0.8), result);
-  result.plan = planAssembly(result.complex, options, [&](Index volume, const SweepLayout& layout) {
-    return capMapOf(result.complex, volume, layout, *solids[at(volume)]).has_value();
-  });
-  result.size = size > 0.0 ? size : defaultSize(result);
-  imprintTargets(solids, result.size, result.complex, result.plan);
+  std::vector<VolumeOptions> options = optionsOf(volumes, progressPart(progress, 0.0, 0.8), result);
+  while (!planAndImprint(solids, size, options, result))
+  {
+    // Faces may have been cut before a border had no place.
+    result.complex = makeAssemblyComplex(solids, matchTolerance);
+  }
   stages.finish("Plan");
   result.intervals = assemblyIntervals(result.complex, result.plan, result.size, layers);
   stages.finish("Intervals");

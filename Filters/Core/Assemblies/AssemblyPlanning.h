@@ -20,6 +20,7 @@ struct AssemblyVolume
   SolidSurface surface; ///< faces that solids share have one id, see makeAssemblyComplex()
   std::shared_ptr<const ModelGeometry> geometry; ///< nullptr: nodes stay on the triangles
   std::string name;                              ///< for messages: "\"Bolt\""
+  std::string problem = {};                      ///< why it has no surface; empty: it has
   NamedSweep named;
 };
 
@@ -43,10 +44,12 @@ struct PlannedAssembly
  *
  * @param size wanted length of edges; 0: what suits the finest cap (see defaultQuadSize()), but no
  *             more than some 400000 hexahedra.
- * @throw InvalidInput where no volume can be swept or there is no plan; Aborted.
+ * @param matchTolerance see makeAssemblyComplex().
+ * @throw InvalidInput where no volume can be swept or there is no plan, and for a size that would
+ * give more than 10^9 hexahedra; Aborted.
  */
-PlannedAssembly planVolumes(
-  const std::vector<AssemblyVolume>& volumes, double size, const Progress& progress = {});
+PlannedAssembly planVolumes(const std::vector<AssemblyVolume>& volumes, double size,
+  double matchTolerance = 1e-6, const Progress& progress = {});
 
 /**
  * Spreads volumes over ranks: stack after stack, the most work first, to the rank that has the

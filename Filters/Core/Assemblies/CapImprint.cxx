@@ -410,10 +410,9 @@ struct CapIds
   std::vector<Index> targets;
 };
 
-std::string describeCaps(const CapIds& ids, Index volume)
+std::string describeCaps(const CapIds& ids)
 {
-  return "volume " + std::to_string(volume + 1) + ": the borders between " +
-    listFaces(ids.targets) + " at its target";
+  return "the borders between " + listFaces(ids.targets) + " at its target";
 }
 
 void cutSource(
@@ -427,7 +426,7 @@ void cutSource(
   const std::optional<AffineMap> map = capMapOf(complex, volume, caps, solid);
   if (!map)
   {
-    throw InvalidInput(describeCaps(ids, volume) + " have no image on its source.");
+    throw ImprintFailure(volume, describeCaps(ids) + " have no image on its source.");
   }
   const AffineMap back = inverse(*map);
   const std::vector<Index> sourceRows = trianglesOfFaces(complex, sources);
@@ -442,7 +441,7 @@ void cutSource(
       { target.mesh, facesOfRows(complex, targetRows) }, maps, size);
   if (!imprint)
   {
-    throw InvalidInput(describeCaps(ids, volume) + " find no way over its source.");
+    throw ImprintFailure(volume, describeCaps(ids) + " find no way over its source.");
   }
   replaceCap(sourceRows, source, volume, *imprint, complex);
 }
@@ -463,9 +462,10 @@ std::vector<CarriedCurve> carriedCurves(const SolidSurface& solid, const CapIds&
     curve.source = finder.find(image, border.closed());
     if (curve.source.empty())
     {
-      throw InvalidInput(describeCaps(ids, volume) + ", near " + describe(image.row(0)) +
-        ", cross those of its source so closely that they cannot be told apart. Move one of them "
-        "in the CAD system, or sweep the volume between other caps.");
+      throw ImprintFailure(volume,
+        describeCaps(ids) + ", near " + describe(image.row(0)) +
+          ", cross those of its source so closely that they cannot be told apart. Move one of them "
+          "in the CAD system, or sweep the volume between other caps.");
     }
     carried.push_back(std::move(curve));
   }

@@ -8,12 +8,29 @@
 #define hexsweep_CapImprint_h
 
 #include "Core/Assemblies/AssemblyPlan.h"
+#include "Core/Common/Errors.h"
 #include "Core/Geometry/AffineMap.h"
 
 #include <optional>
+#include <string>
 
 namespace hexsweep
 {
+/// A volume whose target has a border that finds no place on its source.
+class ImprintFailure : public InvalidInput
+{
+public:
+  ImprintFailure(Index volume, const std::string& what)
+    : InvalidInput(what)
+    , Volume(volume)
+  {
+  }
+  Index volume() const { return this->Volume; }
+
+private:
+  Index Volume;
+};
+
 /// The affine map from the source to the target cap, see findAffineSweep(). @return nothing where
 /// there is none.
 std::optional<AffineMap> capMapOf(const AssemblyComplex& complex, Index volume,
@@ -28,7 +45,7 @@ std::optional<AffineMap> capMapOf(const AssemblyComplex& complex, Index volume,
  * where a border ends on their curve.
  * @param solids  one a volume, as makeAssemblyComplex() had them.
  * @param size    wanted length of edges: borders nearer to each other than a fiftieth become one.
- * @throw InvalidInput naming the volume and faces where a border has no place on the source.
+ * @throw ImprintFailure naming the volume and faces where a border has no place on the source.
  */
 void imprintTargets(const std::vector<const SolidSurface*>& solids, double size,
   AssemblyComplex& complex, AssemblyPlan& plan);

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 
+import hexsweep
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 DATA = os.environ["HEXSWEEP_DATA_DIR"]
@@ -42,6 +43,8 @@ def face_uses(grid):
 
 
 def main():
+    if not hasattr(hexsweep, "vtkCADReader"):
+        return  # HexSweep was built without OpenCASCADE
     tee = os.path.join(DATA, "cad", "tee_blocks.step")
     with tempfile.TemporaryDirectory() as folder:
         out, plan = (os.path.join(folder, name) for name in ("tee.vtu", "tee.json"))

@@ -3,6 +3,7 @@
 
 import os
 
+import hexsweep
 from paraview import servermanager, simple
 
 PLUGIN = os.environ["HEXSWEEP_PLUGIN"]
@@ -20,10 +21,11 @@ def fetched(proxy):
 
 def main():
     simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
-    solid = simple.OpenDataFile(FILE)
-    if solid is None or solid.GetXMLName() != "CADReader":
-        assert not hasattr(servermanager.sources, "CADReader"), "no reader of CAD files was found"
+    if not hasattr(hexsweep, "vtkCADReader"):
+        assert not hasattr(servermanager.sources, "CADReader")
         return  # HexSweep was built without OpenCASCADE
+    solid = simple.OpenDataFile(FILE)
+    assert solid is not None and solid.GetXMLName() == "CADReader", "no reader of CAD files was found"
     hexes = simple.OneToOneSweep(Solid=solid, Size=3.0)
     simple.RenameSource("Hexes", hexes)
     hexes.UpdatePipeline()

@@ -448,6 +448,17 @@ TEST(AssemblySweep, FacesInsideSidesAreRowsAndLayersOfThem)
     1000.0 + 3 * 125.0, 600.0 + 3 * 100.0);
 }
 
+// Swept the likeliest way each, the quads of both caps of the plate would be given.
+TEST(AssemblySweep, CapsThatWouldBeKnownTwiceAreSweptOtherwise)
+{
+  expectFits("pads_on_both_sides",
+    { block(0, 0, 0, 8, 8, 2), block(1, 1, -2, 2, 2, 2), block(5, 5, -2, 2, 2, 2),
+      block(5, 1, 2, 2, 2, 2) },
+    128.0 + 24.0, 192.0 + 3 * 16.0);
+  expectFits("arms", { block(0, 0, 0, 9, 3, 3), block(3, -3, 0, 3, 3, 3), block(3, 3, 0, 3, 3, 3) },
+    81.0 + 54.0, 126.0 + 2 * 36.0);
+}
+
 // Blocks that share parts of their sides leave faces with six corners.
 TEST(AssemblySweep, SidesMayHaveMoreThanFourCorners)
 {

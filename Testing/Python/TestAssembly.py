@@ -8,6 +8,10 @@ import sys
 import tempfile
 
 import hexsweep
+from hexsweep.commandline.assembly import gaps
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 DATA = os.environ["HEXSWEEP_DATA_DIR"]
@@ -42,7 +46,28 @@ def face_uses(grid):
     return uses
 
 
+def cubes(start):
+    """A unit cube and another one that begins at x = start."""
+    collection = vtkPartitionedDataSetCollection()
+    for number, left in enumerate((0.0, start)):
+        cube = vtkCubeSource()
+        cube.SetBounds(left, left + 1, 0, 1, 0, 1)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(cube.GetOutputPort())
+        triangles.Update()
+        collection.SetPartition(number, 0, triangles.GetOutput())
+    return collection
+
+
+def test_gaps():
+    for start, expected in ((1.0005, 1), (1.00001, 1), (1.1, 0), (1.0, 0), (0.5, 0)):
+        sentences = gaps(cubes(start))
+        assert len(sentences) == expected, (start, sentences)
+    assert "volume 1 and volume 2 are 0.0005" in gaps(cubes(1.0005))[0], gaps(cubes(1.0005))
+
+
 def main():
+    test_gaps()
     if not hasattr(hexsweep, "vtkCADReader"):
         return  # HexSweep was built without OpenCASCADE
     tee = os.path.join(DATA, "cad", "tee_blocks.step")

@@ -4,7 +4,9 @@
 import json
 import os
 
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 from .. import __version__, vtkAssemblySweep
 from .messages import Refusal
@@ -17,6 +19,8 @@ _SINGLE = {
 _SINGLE_SETTINGS = {
     "NumberOfLayers": "--layers", "LayerSize": "--layer-size", "GrowthRatio": "--growth", "QuadSize": "--quad-size",
 }
+# Of the smaller body's size: a narrow gap, and none at all.
+_NARROW, _TOUCH = 1e-3, 1e-6
 _SETTINGS = ("Size", "FeatureAngle", "MatchTolerance")
 
 
@@ -33,6 +37,38 @@ def is_one(data, options):
             return True
         seen |= own
     return False
+
+
+def gaps(data):
+    """@return a sentence for each two bodies of a collection between which there is a gap, but hardly any: less
+    than a thousandth of the smaller one. Whoever drew them may have meant them to touch."""
+    solids = []
+    for number in range(data.GetNumberOfPartitionedDataSets()):
+        part = data.GetPartition(number, 0)
+        if part and part.GetNumberOfPoints():
+            solids.append((number + 1, part, vtkBoundingBox(part.GetBounds())))
+    sentences = []
+    for i, (one, first, box) in enumerate(solids):
+        for other, second, other_box in solids[i + 1:]:
+            size = min(box.GetDiagonalLength(), other_box.GetDiagonalLength())
+            near = vtkBoundingBox(box)
+            near.Inflate(_NARROW * size)
+            if not near.Intersects(other_box):
+                continue
+            least = min(_distance(first, second), _distance(second, first))
+            if _TOUCH * size < least < _NARROW * size:
+                sentences.append(
+                    f"volume {one} and volume {other} are {least:.3g} apart: they do not touch, and their meshes do "
+                    "not fit. Where they should touch, move them together in the CAD system."
+                )
+    return sentences
+
+
+def _distance(points_of, surface):
+    """The least distance of points from a surface, 0 where some are inside."""
+    distance = vtkImplicitPolyDataDistance()
+    distance.SetInput(surface)
+    return max(0.0, min(distance.EvaluateFunction(points_of.GetPoint(i)) for i in range(points_of.GetNumberOfPoints())))
 
 
 def check(options):

@@ -7,7 +7,7 @@ from .. import vtkManyToManySweep, vtkOneToOneSweep
 from . import assembly, picture, report, threads, writing
 from .arguments import is_between_two
 from .faces import choose_face_ids
-from .messages import Refusal, VtkMessages
+from .messages import Refusal, VtkMessages, say
 from .output import new_files
 from .process import Died, in_child
 from .progress import Bar
@@ -48,6 +48,9 @@ def _mesh(options, choices, new):
     messages = VtkMessages(bar)
     solid = read(options.solid, messages)
     together = assembly.is_one(solid, options)
+    if not together and not options.separate and solid.IsA("vtkPartitionedDataSetCollection"):
+        for sentence in assembly.gaps(solid):
+            say("warning", sentence)
     sweep = assembly.Assembly(solid, options, bar.follow) if together else _single(solid, options, bar, messages)
     sweep.Update()
     bar.erase()

@@ -2,6 +2,7 @@
 #include "Core/Assemblies/AssemblyIntervals.h"
 
 #include "Core/Assemblies/IntervalProgramme.h"
+#include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 
 #include <algorithm>
@@ -464,6 +465,38 @@ private:
   std::vector<Index> RowOfVolume;
   std::string Words;
 };
+
+/// Numbers of layers that were asked for and differ, though the volumes share a side.
+std::string askedApart(
+  const AssemblyComplex& complex, const AssemblyPlan& plan, const std::vector<Index>& layers)
+{
+  const auto isSide = [&](Index volume, Index face) {
+    const std::vector<SideFace>& sides = plan.sweeps[at(volume)].sides;
+    return std::any_of(
+      sides.begin(), sides.end(), [face](const SideFace& side) { return side.face == face; });
+  };
+  std::string words;
+  for (std::size_t f = 0; f < complex.faces.size(); ++f)
+  {
+    const ComplexFace& face = complex.faces[f];
+    if (face.volumes.size() < 2)
+    {
+      continue;
+    }
+    const Index one = face.volumes[0];
+    const Index other = face.volumes[1];
+    const Index row = static_cast<Index>(f);
+    if (layers[at(one)] > 0 && layers[at(other)] > 0 && layers[at(one)] != layers[at(other)] &&
+      isSide(one, row) && isSide(other, row))
+    {
+      words += " Volume " + std::to_string(one + 1) + " is to have " +
+        std::to_string(layers[at(one)]) + " layers and volume " + std::to_string(other + 1) + " " +
+        std::to_string(layers[at(other)]) + ", and they share face " + std::to_string(face.id) +
+        ": ask for as many, or for one of them only.";
+    }
+  }
+  return words;
+}
 }
 
 AssemblyIntervals assemblyIntervals(const AssemblyComplex& complex, const AssemblyPlan& plan,
@@ -471,7 +504,15 @@ AssemblyIntervals assemblyIntervals(const AssemblyComplex& complex, const Assemb
 {
   ProgrammeWriter writer(complex, plan, size, layers);
   const IntervalProgramme programme = writer.write();
-  const std::vector<Index> numbers = solveIntervals(programme);
+  std::vector<Index> numbers;
+  try
+  {
+    numbers = solveIntervals(programme);
+  }
+  catch (const InvalidInput& error)
+  {
+    throw InvalidInput(error.what() + askedApart(complex, plan, layers));
+  }
   AssemblyIntervals result;
   result.curves.assign(
     numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(complex.curves.size()));

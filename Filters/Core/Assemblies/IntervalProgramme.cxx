@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace hexsweep
 {
@@ -299,9 +300,13 @@ void checkLimits(const IntervalProgramme& programme, const Contracted& problem)
     }
   }
   std::string words;
+  std::set<std::string> told;
   for (const ClassEquation* equation : left)
   {
-    words += (words.empty() ? "" : "; ") + *equation->words;
+    if (told.insert(*equation->words).second)
+    {
+      words += (words.empty() ? "" : "; ") + *equation->words;
+    }
   }
   throw InvalidInput("no numbers of edges fit all volumes. These contradict each other: " + words +
     ". Sweep one of these volumes between other caps, or cut it.");

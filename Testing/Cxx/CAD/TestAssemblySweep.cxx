@@ -580,6 +580,7 @@ TEST(AssemblySweep, NumbersOfLayersThatContradictEachOtherAreRefusedInWords)
   ASSERT_EQ(events.errors.size(), 1U);
   EXPECT_NE(events.errors.front().find("contradict"), std::string::npos) << events.errors.front();
   EXPECT_NE(events.errors.front().find("volume 2"), std::string::npos) << events.errors.front();
+  EXPECT_NE(events.errors.front().find("they share face"), std::string::npos);
   sweep->RemoveAllVolumeLayers();
   sweep->AddVolumeLayers(1, 3);
   sweep->Update();

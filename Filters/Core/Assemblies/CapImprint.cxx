@@ -516,6 +516,10 @@ void imprintTargets(const std::vector<const SolidSurface*>& solids, double size,
   for (std::size_t v = 0; v < plan.sweeps.size(); ++v)
   {
     const Index row = static_cast<Index>(v);
+    if (ids[v].sources.empty())
+    {
+      continue; // left out
+    }
     plan.sweeps[v] = layOutSides(complex, row, rowsOfFaces(complex, row, ids[v].sources),
       rowsOfFaces(complex, row, ids[v].targets));
     if (cut.count(row) > 0)

@@ -4,7 +4,7 @@
 # What the library itself needs first; what only wrapping and tests need is optional.
 set(hexsweep_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonSystem FiltersCore
-  FiltersGeneral FiltersGeometry IOCore IOXML vtksys)
+  FiltersGeneral FiltersGeometry IOCore IOXML ParallelCore vtksys)
 set(hexsweep_vtk_optional_components
   Python WrappingPythonCore FiltersExtraction FiltersSources FiltersVerdict
   IOLegacy IOImage InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI

@@ -12,6 +12,7 @@ from hexsweep.commandline.assembly import gaps
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 DATA = os.environ["HEXSWEEP_DATA_DIR"]
@@ -117,6 +118,16 @@ def main():
         with open(inp, encoding="utf-8") as file:
             text = file.read()
         assert text.count("*ELEMENT") == 2 and "*SURFACE" in text.upper()
+        # Element blocks have the bodies' names.
+        exodus = os.path.join(folder, "tee.ex2")
+        status, _, complaint = run(tee, "--size", "2", "-o", exodus)
+        assert status == 0 and complaint == "", complaint
+        reader = vtkExodusIIReader()
+        reader.SetFileName(exodus)
+        reader.UpdateInformation()
+        blocks = [reader.GetObjectName(reader.ELEM_BLOCK, i) for i in range(reader.GetNumberOfElementBlockArrays())]
+        assert [name.split(" ID")[0] for name in blocks] == ["Solid 1", "Solid 2"], blocks
+        assert run("check", exodus)[0] == 0
     print("assemblies by the command line")
 
 

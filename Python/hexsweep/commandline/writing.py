@@ -2,7 +2,7 @@
 """The mesh into a file, by VTK's writers, whose word is not taken for it."""
 
 from .. import vtkSweepAbaqusWriter, vtkSweepGmshWriter, vtkSweepSets
-from . import checking
+from . import checking, exodus_names
 from .formats import ABAQUS, EXODUS, GMSH, MESHIO, check_meshio, extension_of
 from .messages import Refusal, library_messages
 
@@ -36,6 +36,8 @@ def write(sweep, new, choices, messages):
     writer.SetFileName(new.path)
     with messages.errors_collected() as errors, library_messages(errors):
         done = writer.Write()
+        if done and extension in EXODUS and not errors:
+            exodus_names.put(new.path, _volume_names(source.GetOutputDataObject(0)))
     if new.is_begun() or not errors:
         new.make_sure()
     if errors or not done or writer.GetErrorCode() != 0:
@@ -46,6 +48,15 @@ def write(sweep, new, choices, messages):
     if errors or difference:
         raise new.failure(f"the file that was written {difference or 'is damaged'}{_first(errors)}")
     return source.GetOutputDataObject(0) if source is not sweep else None
+
+
+def _volume_names(sets):
+    """By id; nothing where volumes have no names."""
+    names = sets.GetFieldData().GetAbstractArray("VolumeNames")
+    if names:
+        return {number: names.GetValue(number) for number in range(names.GetNumberOfValues())}
+    name = sets.GetFieldData().GetAbstractArray("VolumeName")
+    return {1: name.GetValue(0)} if name else {}
 
 
 def _first(errors):

@@ -9,8 +9,10 @@ import tempfile
 
 import hexsweep
 from hexsweep.commandline.assembly import gaps
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
@@ -52,6 +54,7 @@ def cubes(start):
     collection = vtkPartitionedDataSetCollection()
     for number, left in enumerate((0.0, start)):
         cube = vtkCubeSource()
+        cube.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
         cube.SetBounds(left, left + 1, 0, 1, 0, 1)
         triangles = vtkTriangleFilter()
         triangles.SetInputConnection(cube.GetOutputPort())
@@ -67,8 +70,43 @@ def test_gaps():
     assert "volume 1 and volume 2 are 0.0005" in gaps(cubes(1.0005))[0], gaps(cubes(1.0005))
 
 
+def shared_quads(solids):
+    """Of two cubes, and the ids of their volumes."""
+    sweep = hexsweep.vtkAssemblySweep()
+    sweep.SetInputDataObject(solids)
+    sweep.SetSize(0.5)
+    sweep.MergedOn()
+    sweep.Update()
+    volumes = sweep.GetOutputDataObject(1).GetCellData().GetArray("VolumeIds")
+    grid = sweep.GetOutput().GetPartition(0, 0)
+    assert set(face_uses(grid).values()) == {1, 2}
+    ids = set(memoryview(grid.GetCellData().GetArray("VolumeId")))
+    return sum(volumes.GetComponent(i, 1) > 0 for i in range(volumes.GetNumberOfTuples())), ids
+
+
+def test_tolerance():
+    """Points that differ by rounding are one; surfaces of two readers in one data set share what coincides."""
+    for start in (1.0, 1.0 + 1e-13, 1.0 + 1e-9):
+        quads, ids = shared_quads(cubes(start))
+        assert quads > 0 and ids == {1, 2}, (start, quads, ids)
+    both = vtkAppendPolyData()
+    for number in (0, 1):
+        both.AddInputData(cubes(1.0).GetPartition(number, 0))
+    both.Update()
+    quads, ids = shared_quads(both.GetOutput())
+    assert quads > 0 and ids == {1, 2}, (quads, ids)
+    numbers = vtkIdTypeArray()
+    numbers.SetName("VolumeId")
+    for cell in range(both.GetOutput().GetNumberOfCells()):
+        numbers.InsertNextValue(cell // 12)  # from 0 on
+    both.GetOutput().GetCellData().AddArray(numbers)
+    quads, ids = shared_quads(both.GetOutput())
+    assert quads > 0 and ids == {1, 2}, (quads, ids)
+
+
 def main():
     test_gaps()
+    test_tolerance()
     if not hasattr(hexsweep, "vtkCADReader"):
         return  # HexSweep was built without OpenCASCADE
     tee = os.path.join(DATA, "cad", "tee_blocks.step")

@@ -200,9 +200,9 @@ void addSolids(
   PlaceNumbers places;
   std::vector<std::vector<Corners>> corners;
   std::vector<SolidTriangle> all;
-  for (std::size_t v = 0; v < solids.size(); ++v)
+  for (const SolidSurface* const given : solids)
   {
-    const SolidSurface& solid = *solids[v];
+    const SolidSurface& solid = *given;
     corners.emplace_back(at(solid.triangles.rows()));
     for (Index t = 0; t < solid.triangles.rows(); ++t)
     {

@@ -320,7 +320,7 @@ void writeAssembly(const NumberedAssembly& assembly, bool merged, vtkFieldData* 
   }
 }
 
-Index writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGrid* output)
+void writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGrid* output)
 {
   const auto& [sweep, numbers, labels] = assembly;
   std::vector<Index> firstHex;
@@ -344,7 +344,6 @@ Index writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGri
   PairArray volumePairs(arrays::VolumeIds);
   PairArray hexPairs(arrays::HexIds);
   PairArray sidePairs(arrays::HexSides);
-  Index missing = 0;
   for (const AssemblyQuad& quad : assemblyBoundary(sweep))
   {
     const ComplexFace& face = sweep.planned.complex.faces[static_cast<std::size_t>(quad.face)];
@@ -354,7 +353,6 @@ Index writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGri
     {
       const HexAtQuad& hex = quad.hexes[s];
       const auto volume = static_cast<std::size_t>(face.volumes[s]);
-      missing += hex.volume < 0 && sweep.volumes[volume].isMine ? 1 : 0;
       volumes[s] = labels.ids[volume];
       pair[s] = hex.volume < 0 ? -1 : numbers.firstHexes[volume] + hex.hex;
     }
@@ -408,6 +406,5 @@ Index writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGri
   cellData->AddArray(hexPairs.array());
   cellData->AddArray(sidePairs.array());
   cellData->SetActiveScalars(arrays::BoundaryId);
-  return missing;
 }
 }

@@ -36,9 +36,8 @@ struct NumberedAssembly
 void writeAssembly(const NumberedAssembly& assembly, bool merged, vtkFieldData* fields,
   vtkPartitionedDataSetCollection* output);
 
-/// Writes output 1, without quads that have no hexahedron. @return how often a quad has none where
-/// there is a volume.
-Index writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGrid* output);
+/// Writes output 1, without quads that have no hexahedron.
+void writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGrid* output);
 }
 
 #endif

@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Assemblies/AssemblyComplex.h"
 
+#include "Core/Assemblies/SharedTriangles.h"
 #include "Core/Common/Describe.h"
 #include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
-#include "Core/Geometry/PointGrid.h"
 #include "Core/Surfaces/FaceSides.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace hexsweep
 {
 namespace
 {
-using Place = std::array<double, 3>;
 using EdgeEnds = std::pair<Index, Index>; // lower one first
 
 /// Cosine of a turn that makes a point of a curve a corner.
@@ -30,102 +26,9 @@ const double CurveCornerCosine = std::cos(30.0 * Pi / 180.0);
 /// Oblique to everything that engineers draw along axes.
 const Eigen::RowVector3d StartDirection(0.7548776662466927, 0.5698402909980532, 0.3247179572447460);
 
-/// Numbers the places of points, each once.
-class PlaceNumbers
-{
-public:
-  Index numberOf(const Eigen::RowVector3d& place)
-  {
-    const auto [known, isNew] = this->Numbers.try_emplace(
-      Place{ place[0], place[1], place[2] }, static_cast<Index>(this->Numbers.size()));
-    if (isNew)
-    {
-      this->Places.push_back(place);
-    }
-    return known->second;
-  }
-
-  Points points() const
-  {
-    Points result(static_cast<Index>(this->Places.size()), 3);
-    for (std::size_t i = 0; i < this->Places.size(); ++i)
-    {
-      result.row(static_cast<Index>(i)) = this->Places[i];
-    }
-    return result;
-  }
-
-private:
-  std::map<Place, Index> Numbers;
-  std::vector<Eigen::RowVector3d> Places;
-};
-
 std::string nameOfFace(Index id)
 {
   return "face " + std::to_string(id);
-}
-
-using Corners = std::array<Index, 3>;
-
-/// A triangle of a solid in the numbers of the complex.
-struct SolidTriangle
-{
-  Corners key; ///< the corners, rising
-  Index volume;
-  Index row;
-  bool isEven; ///< whether the corners run as they rise, or turned round from there
-};
-
-SolidTriangle solidTriangle(const Corners& corners, Index volume, Index row)
-{
-  Corners key = corners;
-  std::sort(key.begin(), key.end());
-  const std::size_t first =
-    static_cast<std::size_t>(std::find(corners.begin(), corners.end(), key[0]) - corners.begin());
-  return { key, volume, row, corners[(first + 1) % 3] == key[1] };
-}
-
-/// By volume and triangle: the triangle of another volume at the same place that faces it.
-struct Partner
-{
-  Index volume = -1;
-  Index row = -1;
-};
-
-std::vector<std::vector<Partner>> partnersOf(
-  const std::vector<const SolidSurface*>& solids, std::vector<SolidTriangle> all)
-{
-  std::vector<std::vector<Partner>> partners;
-  for (const SolidSurface* solid : solids)
-  {
-    partners.emplace_back(at(solid->triangles.rows()));
-  }
-  std::sort(all.begin(), all.end(), [](const SolidTriangle& a, const SolidTriangle& b) {
-    return std::tie(a.key, a.volume, a.row) < std::tie(b.key, b.volume, b.row);
-  });
-  for (std::size_t i = 0; i + 1 < all.size(); ++i)
-  {
-    const SolidTriangle& one = all[i];
-    const SolidTriangle& other = all[i + 1];
-    if (one.key != other.key)
-    {
-      continue;
-    }
-    if (i + 2 < all.size() && all[i + 2].key == one.key)
-    {
-      const SolidSurface& solid = *solids[at(one.volume)];
-      throw InvalidInput(nameOfFace(solid.faceIds[at(one.row)]) + " at " +
-        describe(solid.points.row(solid.triangles(one.row, 0))) +
-        " belongs to more than two volumes. Check that no body is there twice.");
-    }
-    // Two that face the same way are the same body twice, and nothing that both share.
-    if (one.isEven != other.isEven)
-    {
-      partners[at(one.volume)][at(one.row)] = { other.volume, other.row };
-      partners[at(other.volume)][at(other.row)] = { one.volume, one.row };
-    }
-  }
-  return partners;
 }
 
 /// Of triangles with labels: the first triangle of the piece of one label that each is in.
@@ -154,86 +57,20 @@ std::vector<Index> piecesOf(
   return result;
 }
 
-double shortestEdge(const Points& points, const std::vector<std::vector<Corners>>& triangles)
-{
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const std::vector<Corners>& solid : triangles)
-  {
-    for (const Corners& corners : solid)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        shortest =
-          std::min(shortest, (points.row(corners[c]) - points.row(corners[(c + 1) % 3])).norm());
-      }
-    }
-  }
-  return shortest;
-}
-
-/// For each point the lowest one that is near it, itself or by others.
-std::vector<Index> nearPoints(const Points& points, double radius)
-{
-  std::vector<Index> ids(at(points.rows()));
-  std::iota(ids.begin(), ids.end(), Index(0));
-  if (!(radius > 0.0) || !std::isfinite(radius))
-  {
-    return ids;
-  }
-  const PointGrid grid(points, ids, radius);
-  DisjointSets sets(points.rows());
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    grid.forEachNear(points.row(i), radius, [&](Index other, double) { sets.join(i, other); });
-  }
-  for (Index& id : ids)
-  {
-    id = sets.find(id);
-  }
-  return ids;
-}
-
 /// Collects faces and triangles, volume after volume.
 void addSolids(
   const std::vector<const SolidSurface*>& solids, double matchTolerance, AssemblyComplex& complex)
 {
-  PlaceNumbers places;
-  std::vector<std::vector<Corners>> corners;
-  std::vector<SolidTriangle> all;
-  for (const SolidSurface* const given : solids)
-  {
-    const SolidSurface& solid = *given;
-    corners.emplace_back(at(solid.triangles.rows()));
-    for (Index t = 0; t < solid.triangles.rows(); ++t)
-    {
-      Corners& own = corners.back()[at(t)];
-      for (int c = 0; c < 3; ++c)
-      {
-        own[static_cast<std::size_t>(c)] = places.numberOf(solid.points.row(solid.triangles(t, c)));
-      }
-    }
-  }
-  complex.points = places.points();
-  const std::vector<Index> merged =
-    nearPoints(complex.points, matchTolerance * shortestEdge(complex.points, corners));
-  for (std::size_t v = 0; v < solids.size(); ++v)
-  {
-    for (std::size_t t = 0; t < corners[v].size(); ++t)
-    {
-      for (Index& corner : corners[v][t])
-      {
-        corner = merged[at(corner)];
-      }
-      all.push_back(solidTriangle(corners[v][t], static_cast<Index>(v), static_cast<Index>(t)));
-    }
-  }
-  const std::vector<std::vector<Partner>> partners = partnersOf(solids, std::move(all));
+  SharedTriangles shared = shareTriangles(solids, matchTolerance);
+  complex.points = std::move(shared.points);
+  const std::vector<std::vector<TriangleCorners>>& corners = shared.corners;
+  const std::vector<std::vector<Partner>>& partners = shared.partners;
 
   // What is a face of two volumes is one: by both volumes and both ids.
   using Label = std::array<Index, 4>;
   std::map<Label, Index> numberOf;
   std::vector<Label> labelOf;
-  std::vector<Corners> triangles;
+  std::vector<TriangleCorners> triangles;
   std::vector<Index> labels;
   for (std::size_t v = 0; v < solids.size(); ++v)
   {
@@ -544,6 +381,17 @@ Points placesOf(const AssemblyComplex& complex, const ComplexCurve& curve)
   return places;
 }
 
+Index firstPointOf(const AssemblyComplex& complex, const CurveUse& use)
+{
+  const std::vector<Index>& points = complex.curves[at(use.curve)].points;
+  return use.reversed ? points.back() : points.front();
+}
+
+Index lastPointOf(const AssemblyComplex& complex, const CurveUse& use)
+{
+  return firstPointOf(complex, { use.curve, !use.reversed });
+}
+
 double lengthOf(const AssemblyComplex& complex, const ComplexCurve& curve)
 {
   double length = 0.0;
@@ -553,5 +401,18 @@ double lengthOf(const AssemblyComplex& complex, const ComplexCurve& curve)
       (complex.points.row(curve.points[k]) - complex.points.row(curve.points[k - 1])).norm();
   }
   return length;
+}
+
+double turnOf(const AssemblyComplex& complex, const ComplexCurve& curve)
+{
+  const Points places = placesOf(complex, curve);
+  double turn = 0.0;
+  for (Index k = 1; k + 1 < places.rows(); ++k)
+  {
+    const Eigen::RowVector3d in = places.row(k) - places.row(k - 1);
+    const Eigen::RowVector3d out = places.row(k + 1) - places.row(k);
+    turn += std::atan2(in.cross(out).norm(), in.dot(out));
+  }
+  return turn;
 }
 }

@@ -103,8 +103,15 @@ SurfacePart partOfVolume(
 TriangleMesh meshOfFaces(
   const AssemblyComplex& complex, Index volume, const std::vector<Index>& faces);
 
+/// The points that a curve begins and ends at, as it is run.
+Index firstPointOf(const AssemblyComplex& complex, const CurveUse& use);
+Index lastPointOf(const AssemblyComplex& complex, const CurveUse& use);
+
 /// Length of a chain of points.
 double lengthOf(const AssemblyComplex& complex, const ComplexCurve& curve);
+
+/// Radians: how much a curve bends from end to end, one bend added to the other.
+double turnOf(const AssemblyComplex& complex, const ComplexCurve& curve);
 
 /// Points a curve runs through, as a mesh that divides it has them: n x 3.
 Points placesOf(const AssemblyComplex& complex, const ComplexCurve& curve);

@@ -4,6 +4,7 @@
 #include "Core/Assemblies/IntervalProgramme.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
+#include "Core/Surfaces/SurfaceArea.h"
 
 #include <algorithm>
 #include <array>
@@ -22,19 +23,6 @@ namespace
 constexpr double MostTurn = 0.2 * Pi;
 /// Fewer edges round a closed curve are no ring of quads.
 constexpr Index LeastClosed = 8;
-
-double turnOf(const AssemblyComplex& complex, const ComplexCurve& curve)
-{
-  const Points places = placesOf(complex, curve);
-  double turn = 0.0;
-  for (Index k = 1; k + 1 < places.rows(); ++k)
-  {
-    const Eigen::RowVector3d in = places.row(k) - places.row(k - 1);
-    const Eigen::RowVector3d out = places.row(k + 1) - places.row(k);
-    turn += std::atan2(in.cross(out).norm(), in.dot(out));
-  }
-  return turn;
-}
 
 std::vector<Index> curvesOf(const std::vector<DirectedUse>& uses)
 {
@@ -135,8 +123,10 @@ private:
     {
       this->Programme.equations.push_back(
         { curvesOf(curve.source), { curve.target.curve }, words });
-      imageOf[this->firstPoint(curve.source.front())] = this->firstPoint(curve.target);
-      imageOf[this->lastPoint(curve.source.back())] = this->lastPoint(curve.target);
+      imageOf[firstPointOf(this->Complex, curve.source.front())] =
+        firstPointOf(this->Complex, curve.target);
+      imageOf[lastPointOf(this->Complex, curve.source.back())] =
+        lastPointOf(this->Complex, curve.target);
     }
     for (const SideFace& side : sweep.sides)
     {
@@ -145,16 +135,6 @@ private:
         this->addEnds(side, imageOf, words);
       }
     }
-  }
-
-  Index firstPoint(const CurveUse& use) const
-  {
-    const std::vector<Index>& points = this->Complex.curves[at(use.curve)].points;
-    return use.reversed ? points.back() : points.front();
-  }
-  Index lastPoint(const CurveUse& use) const
-  {
-    return this->firstPoint({ use.curve, !use.reversed });
   }
 
   /// Where points of the lower chain of a side have images on the upper one, as many rows lie
@@ -171,7 +151,7 @@ private:
     std::map<Index, std::size_t> placeAtTop;
     for (std::size_t j = 0; j < top.size(); ++j)
     {
-      placeAtTop[this->firstPoint(top[j])] = j;
+      placeAtTop[firstPointOf(this->Complex, top[j])] = j;
     }
     struct End
     {
@@ -185,7 +165,7 @@ private:
     }
     for (std::size_t i = side.isTube() ? 0 : 1; i < bottom.size(); ++i)
     {
-      const auto image = imageOf.find(this->firstPoint(bottom[i]));
+      const auto image = imageOf.find(firstPointOf(this->Complex, bottom[i]));
       const auto above = image == imageOf.end() ? placeAtTop.end() : placeAtTop.find(image->second);
       if (above != placeAtTop.end())
       {
@@ -251,7 +231,8 @@ private:
   {
     for (const int direction : { 0, 1 })
     {
-      const Eigen::RowVector3d axis = this->axisOf(outer, direction);
+      const Eigen::RowVector3d axis =
+        chordOf(this->Complex, curvesAlong(outer, direction)).normalized();
       const auto [outerLow, outerHigh] = this->extentOf(outer, axis);
       const auto [innerLow, innerHigh] = this->extentOf(inner, axis);
       std::vector<Index> sum;
@@ -268,18 +249,6 @@ private:
       this->Programme.equations.push_back(
         { curvesOf(curvesAlong(outer, direction)), std::move(sum), name });
     }
-  }
-
-  Eigen::RowVector3d axisOf(const SideFace& side, int direction) const
-  {
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    for (const DirectedUse& use : curvesAlong(side, direction))
-    {
-      const Points places = placesOf(this->Complex, this->Complex.curves[at(use.use.curve)]);
-      const Eigen::RowVector3d chord = places.row(places.rows() - 1) - places.row(0);
-      sum += use.use.reversed ? Eigen::RowVector3d(-chord) : chord;
-    }
-    return sum.normalized();
   }
 
   std::pair<double, double> extentOf(const SideFace& side, const Eigen::RowVector3d& axis) const
@@ -308,14 +277,9 @@ private:
   /// Area over the mean length of the loops.
   double heightOf(const SideFace& side) const
   {
-    double area = 0.0;
-    for (const Index t : this->Complex.faces[at(side.face)].triangles)
-    {
-      const Eigen::RowVector3d a = this->Complex.points.row(this->Complex.triangles(t, 0));
-      const Eigen::RowVector3d b = this->Complex.points.row(this->Complex.triangles(t, 1));
-      const Eigen::RowVector3d c = this->Complex.points.row(this->Complex.triangles(t, 2));
-      area += 0.5 * (b - a).cross(c - a).norm();
-    }
+    const ComplexFace& face = this->Complex.faces[at(side.face)];
+    const double area =
+      surfaceArea(meshOfFaces(this->Complex, face.volumes.front(), { side.face }));
     double length = 0.0;
     for (const std::size_t chain : { std::size_t(0), std::size_t(2) })
     {

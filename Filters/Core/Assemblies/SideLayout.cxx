@@ -25,12 +25,6 @@ bool contains(const std::vector<Index>& sorted, Index value)
   return std::binary_search(sorted.begin(), sorted.end(), value);
 }
 
-Index firstPointOf(const AssemblyComplex& complex, const CurveUse& use)
-{
-  const std::vector<Index>& points = complex.curves[at(use.curve)].points;
-  return use.reversed ? points.back() : points.front();
-}
-
 /// The angles of a face's triangles at a point, together.
 std::map<Index, double> anglesAt(
   const AssemblyComplex& complex, const ComplexFace& face, const std::set<Index>& points)
@@ -89,20 +83,6 @@ int direct(const AssemblyComplex& complex, const std::vector<CurveUse>& loop, st
     rim.push_back({ use, (((direction + turns) % 4) + 4) % 4 });
   }
   return turns + turnAt(angles.at(firstPointOf(complex, loop[start])));
-}
-
-/// Sum of the chords of curves.
-Eigen::RowVector3d chordOf(const AssemblyComplex& complex, const std::vector<DirectedUse>& uses)
-{
-  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-  for (const DirectedUse& use : uses)
-  {
-    const std::vector<Index>& points = complex.curves[at(use.use.curve)].points;
-    const Eigen::RowVector3d chord =
-      complex.points.row(points.back()) - complex.points.row(points.front());
-    sum += use.use.reversed ? Eigen::RowVector3d(-chord) : chord;
-  }
-  return sum;
 }
 
 std::map<Index, double> anglesOf(const AssemblyComplex& complex, const ComplexFace& face)
@@ -275,6 +255,19 @@ void checkDirections(const AssemblyComplex& complex, const SweepLayout& layout)
     }
   }
 }
+}
+
+Eigen::RowVector3d chordOf(const AssemblyComplex& complex, const std::vector<DirectedUse>& uses)
+{
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (const DirectedUse& use : uses)
+  {
+    const std::vector<Index>& points = complex.curves[at(use.use.curve)].points;
+    const Eigen::RowVector3d chord =
+      complex.points.row(points.back()) - complex.points.row(points.front());
+    sum += use.use.reversed ? Eigen::RowVector3d(-chord) : chord;
+  }
+  return sum;
 }
 
 std::vector<DirectedUse> curvesAlong(const SideFace& side, int direction)

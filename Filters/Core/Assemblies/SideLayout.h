@@ -40,6 +40,9 @@ struct SideFace
 /// All curves of a patch with a direction, see DirectedUse.
 std::vector<DirectedUse> curvesAlong(const SideFace& side, int direction);
 
+/// Sum of the chords of curves.
+Eigen::RowVector3d chordOf(const AssemblyComplex& complex, const std::vector<DirectedUse>& uses);
+
 /// A border between faces of the target cap, and its image on the source cap.
 struct CarriedCurve
 {

@@ -233,6 +233,8 @@ constexpr const char* SourceFaceIds = "SweepReportSourceFaceIds";
 constexpr const char* TargetFaceIds = "SweepReportTargetFaceIds";
 /// Ids of the volumes of an assembly that have no hexahedra; not there where all have.
 constexpr const char* UnmeshedVolumes = "SweepReportUnmeshedVolumes";
+/// Counts, one a volume of an assembly: pieces that it was cut into, 1 for one that was not.
+constexpr const char* Pieces = "SweepReportPieces";
 /// Texts, one a volume of an assembly: face ids with blanks between.
 constexpr const char* PlannedSources = "SweepReportPlannedSources";
 constexpr const char* PlannedTargets = "SweepReportPlannedTargets";

@@ -26,6 +26,8 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace hexsweep
 {
@@ -59,25 +61,61 @@ std::string textOf(const std::vector<Index>& ids)
   return text;
 }
 
-/// The plan of some volumes.
-void addPlan(const AssemblySweep& sweep, const std::vector<std::size_t>& volumes,
-  const VolumeLabels& labels, vtkUnstructuredGrid* grid)
+/// The pieces of each body: rows of AssemblySweep::volumes. Bodies are in the order of the labels.
+std::vector<std::vector<std::size_t>> piecesOf(const AssemblySweep& sweep)
 {
-  std::vector<Index> ids;
+  std::vector<std::vector<std::size_t>> bodies;
+  for (std::size_t v = 0; v < sweep.volumes.size(); ++v)
+  {
+    if (sweep.planned.bodyOf[v] == static_cast<Index>(v))
+    {
+      bodies.emplace_back();
+    }
+    bodies.back().push_back(v);
+  }
+  return bodies;
+}
+
+/// The label of each volume's body.
+std::vector<std::size_t> labelsOf(const AssemblySweep& sweep)
+{
+  std::vector<std::size_t> labelOf(sweep.volumes.size());
+  const std::vector<std::vector<std::size_t>> bodies = piecesOf(sweep);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    for (const std::size_t v : bodies[b])
+    {
+      labelOf[v] = b;
+    }
+  }
+  return labelOf;
+}
+
+/// The plan of some bodies. One in pieces has no caps that could be named again.
+void addPlan(const AssemblySweep& sweep, const std::vector<std::vector<std::size_t>>& bodies,
+  const std::vector<Index>& ids, vtkUnstructuredGrid* grid)
+{
   std::vector<Index> layers;
+  std::vector<Index> pieces;
   std::vector<std::string> sources;
   std::vector<std::string> targets;
-  for (const std::size_t v : volumes)
+  for (const std::vector<std::size_t>& body : bodies)
   {
-    ids.push_back(labels.ids[v]);
-    layers.push_back(sweep.planned.intervals.layers[v]);
-    sources.push_back(textOf(idsOfFaces(
-      sweep.planned.complex, static_cast<Index>(v), sweep.planned.plan.sweeps[v].sources)));
-    targets.push_back(textOf(idsOfFaces(
-      sweep.planned.complex, static_cast<Index>(v), sweep.planned.plan.sweeps[v].targets)));
+    const bool isWhole = body.size() == 1;
+    const std::size_t v = body.front();
+    const SweepLayout& layout = sweep.planned.plan.sweeps[v];
+    const auto textOfCap = [&](const std::vector<Index>& faces) {
+      return isWhole ? textOf(idsOfFaces(sweep.planned.complex, static_cast<Index>(v), faces))
+                     : std::string();
+    };
+    pieces.push_back(static_cast<Index>(body.size()));
+    layers.push_back(isWhole ? sweep.planned.intervals.layers[v] : 0);
+    sources.push_back(textOfCap(layout.sources));
+    targets.push_back(textOfCap(layout.targets));
   }
   addIds(grid->GetFieldData(), reports::VolumeIds, ids);
   addIds(grid->GetFieldData(), reports::Layers, layers);
+  addIds(grid->GetFieldData(), reports::Pieces, pieces);
   addReport(grid->GetFieldData(), reports::PlannedSources, sources);
   addReport(grid->GetFieldData(), reports::PlannedTargets, targets);
 }
@@ -127,17 +165,6 @@ vtkSmartPointer<vtkIdTypeArray> globalIds(const char* name, const std::vector<In
   return array;
 }
 
-/// Places of a volume's points: those that volumes share have the same bits in all of them.
-Points placesOf(const AssemblySweep& sweep, const SweptVolume& volume)
-{
-  Points places(static_cast<Index>(volume.nodes.size()), 3);
-  for (std::size_t i = 0; i < volume.nodes.size(); ++i)
-  {
-    places.row(static_cast<Index>(i)) = sweep.nodes.row(volume.nodes[i]);
-  }
-  return places;
-}
-
 void addGrid(
   const std::string& name, vtkUnstructuredGrid* grid, vtkPartitionedDataSetCollection* output)
 {
@@ -149,36 +176,6 @@ void addGrid(
   }
   output->SetPartitionedDataSet(place, parts);
   output->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), name.c_str());
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> volumeGrid(
-  const NumberedAssembly& assembly, std::size_t v, vtkFieldData* fields)
-{
-  const auto& [sweep, numbers, labels] = assembly;
-  const SweptVolume& volume = sweep.volumes[v];
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->GetFieldData()->PassData(fields);
-  grid->GetFieldData()->RemoveArray(arrays::VolumeNames);
-  vtkNew<vtkStringArray> name;
-  name->SetName(arrays::VolumeName);
-  name->InsertNextValue(labels.names[v]);
-  grid->GetFieldData()->AddArray(name);
-  if (!volume.problem.empty())
-  {
-    return grid;
-  }
-  setPoints(placesOf(sweep, volume), grid);
-  setCells(grid, volume.hexes.hexes, VTK_HEXAHEDRON);
-  grid->GetPointData()->SetGlobalIds(
-    globalIds(arrays::GlobalNodeIds, numbersOf(assembly, volume.nodes)));
-  grid->GetCellData()->SetGlobalIds(globalIds(arrays::GlobalCellIds, hexNumbers(assembly, v)));
-  addIds(grid->GetCellData(), arrays::VolumeId,
-    std::vector<Index>(volume.hexes.qualities.size(), labels.ids[v]));
-  setQualities(volume.hexes.qualities, grid);
-  addReport(grid->GetFieldData(), reports::Method, volume.hexes.method);
-  addPlan(sweep, { v }, labels, grid);
-  addReports(sweep, grid);
-  return grid;
 }
 
 /// Two ids a tuple.
@@ -211,20 +208,36 @@ unsigned char partOf(const AssemblySweep& sweep, Index volume, Index face)
   return has(layout.sources) ? 0 : has(layout.targets) ? 1 : 2;
 }
 
-/// The points of the merged mesh: nodes of faces whose volumes could not be filled are none.
+/// Whether a face lies between two pieces of one body.
+bool isCutFace(const AssemblySweep& sweep, const ComplexFace& face)
+{
+  const std::vector<Index>& bodyOf = sweep.planned.bodyOf;
+  return face.volumes.size() > 1 &&
+    bodyOf[static_cast<std::size_t>(face.volumes[0])] ==
+    bodyOf[static_cast<std::size_t>(face.volumes[1])];
+}
+
+std::vector<Index> noPoints(const AssemblySweep& sweep)
+{
+  return std::vector<Index>(static_cast<std::size_t>(sweep.nodes.rows()), -1);
+}
+
+/// The points of a mesh of some volumes: nodes of faces whose volumes could not be filled are none.
 struct MergedPoints
 {
   std::vector<Index> pointOf; ///< one a node; -1: none
   std::vector<Index> nodes;   ///< one a point
 };
 
-MergedPoints mergedPoints(const AssemblySweep& sweep)
+/// @param pointOf one -1 a node; given back by giveBack().
+MergedPoints mergedPoints(
+  const AssemblySweep& sweep, const std::vector<std::size_t>& volumes, std::vector<Index> pointOf)
 {
   MergedPoints merged;
-  merged.pointOf.assign(static_cast<std::size_t>(sweep.nodes.rows()), -1);
-  for (const SweptVolume& volume : sweep.volumes)
+  merged.pointOf = std::move(pointOf);
+  for (const std::size_t v : volumes)
   {
-    for (const Index node : volume.nodes)
+    for (const Index node : sweep.volumes[v].nodes)
     {
       Index& point = merged.pointOf[static_cast<std::size_t>(node)];
       if (point < 0)
@@ -237,25 +250,54 @@ MergedPoints mergedPoints(const AssemblySweep& sweep)
   return merged;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
-  const NumberedAssembly& assembly, vtkFieldData* fields)
+std::vector<Index> giveBack(MergedPoints merged)
+{
+  for (const Index node : merged.nodes)
+  {
+    merged.pointOf[static_cast<std::size_t>(node)] = -1;
+  }
+  return std::move(merged.pointOf);
+}
+
+std::vector<std::size_t> allVolumes(const AssemblySweep& sweep)
+{
+  std::vector<std::size_t> all(sweep.volumes.size());
+  std::iota(all.begin(), all.end(), std::size_t{ 0 });
+  return all;
+}
+
+std::string methodOf(const AssemblySweep& sweep, const std::vector<std::size_t>& body)
+{
+  std::set<std::string> methods;
+  std::string text;
+  for (const std::size_t v : body)
+  {
+    const std::string& own = sweep.volumes[v].hexes.method;
+    if (methods.insert(own).second)
+    {
+      text += (text.empty() ? "" : ", ") + own;
+    }
+  }
+  return text;
+}
+
+/// The hexahedra of some volumes with their points and qualities.
+void setHexes(const NumberedAssembly& assembly, const std::vector<std::size_t>& volumes,
+  const MergedPoints& merged, vtkUnstructuredGrid* grid)
 {
   const auto& [sweep, numbers, labels] = assembly;
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->GetFieldData()->PassData(fields);
   Index count = 0;
-  for (const SweptVolume& volume : sweep.volumes)
+  for (const std::size_t v : volumes)
   {
-    count += volume.hexes.hexes.rows();
+    count += sweep.volumes[v].hexes.hexes.rows();
   }
+  const std::vector<std::size_t> labelOf = labelsOf(sweep);
   Hexes hexes(count, 8);
   std::vector<Index> volumeIds;
   std::vector<HexQuality> qualities;
-  std::vector<std::string> methods;
   std::vector<Index> hexIds;
   Index row = 0;
-  const MergedPoints merged = mergedPoints(sweep);
-  for (std::size_t v = 0; v < sweep.volumes.size(); ++v)
+  for (const std::size_t v : volumes)
   {
     const SweptVolume& volume = sweep.volumes[v];
     for (Index h = 0; h < volume.hexes.hexes.rows(); ++h, ++row)
@@ -265,13 +307,13 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
         const Index node = volume.nodes[static_cast<std::size_t>(volume.hexes.hexes(h, c))];
         hexes(row, c) = merged.pointOf[static_cast<std::size_t>(node)];
       }
-      volumeIds.push_back(labels.ids[v]);
+      volumeIds.push_back(labels.ids[labelOf[v]]);
     }
     qualities.insert(qualities.end(), volume.hexes.qualities.begin(), volume.hexes.qualities.end());
-    methods.push_back(volume.hexes.method);
     const std::vector<Index> own = hexNumbers(assembly, v);
     hexIds.insert(hexIds.end(), own.begin(), own.end());
   }
+  // Those that volumes share have the same bits in all of them.
   Points places(static_cast<Index>(merged.nodes.size()), 3);
   for (std::size_t i = 0; i < merged.nodes.size(); ++i)
   {
@@ -284,22 +326,57 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
   grid->GetCellData()->SetGlobalIds(globalIds(arrays::GlobalCellIds, hexIds));
   addIds(grid->GetCellData(), arrays::VolumeId, volumeIds);
   setQualities(qualities, grid);
-  addReport(grid->GetFieldData(), reports::Method, methods);
-  std::vector<std::size_t> all(sweep.volumes.size());
-  std::iota(all.begin(), all.end(), std::size_t{ 0 });
-  std::vector<Index> unmeshed;
-  for (const std::size_t v : all)
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> bodyGrid(const NumberedAssembly& assembly, std::size_t label,
+  const std::vector<std::size_t>& body, vtkFieldData* fields, std::vector<Index>& pointOf)
+{
+  const auto& [sweep, numbers, labels] = assembly;
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->GetFieldData()->PassData(fields);
+  grid->GetFieldData()->RemoveArray(arrays::VolumeNames);
+  vtkNew<vtkStringArray> name;
+  name->SetName(arrays::VolumeName);
+  name->InsertNextValue(labels.names[label]);
+  grid->GetFieldData()->AddArray(name);
+  if (!sweep.volumes[body.front()].problem.empty())
   {
-    if (!sweep.volumes[v].problem.empty())
+    return grid;
+  }
+  MergedPoints merged = mergedPoints(sweep, body, std::move(pointOf));
+  setHexes(assembly, body, merged, grid);
+  pointOf = giveBack(std::move(merged));
+  addReport(grid->GetFieldData(), reports::Method, methodOf(sweep, body));
+  addPlan(sweep, { body }, { labels.ids[label] }, grid);
+  addReports(sweep, grid);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
+  const NumberedAssembly& assembly, vtkFieldData* fields)
+{
+  const auto& [sweep, numbers, labels] = assembly;
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->GetFieldData()->PassData(fields);
+  const std::vector<std::size_t> all = allVolumes(sweep);
+  setHexes(assembly, all, mergedPoints(sweep, all, noPoints(sweep)), grid);
+  const std::vector<std::vector<std::size_t>> bodies = piecesOf(sweep);
+  std::vector<std::string> methods;
+  std::vector<Index> unmeshed;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    methods.push_back(methodOf(sweep, bodies[b]));
+    if (!sweep.volumes[bodies[b].front()].problem.empty())
     {
-      unmeshed.push_back(labels.ids[v]);
+      unmeshed.push_back(labels.ids[b]);
     }
   }
+  addReport(grid->GetFieldData(), reports::Method, methods);
   if (!unmeshed.empty())
   {
     addIds(grid->GetFieldData(), reports::UnmeshedVolumes, unmeshed);
   }
-  addPlan(sweep, all, labels, grid);
+  addPlan(sweep, bodies, labels.ids, grid);
   addReports(sweep, grid);
   return grid;
 }
@@ -313,10 +390,15 @@ void writeAssembly(const NumberedAssembly& assembly, bool merged, vtkFieldData* 
     addGrid("Assembly", mergedGrid(assembly, fields), output);
     return;
   }
-  for (std::size_t v = 0; v < assembly.sweep.volumes.size(); ++v)
+  const std::vector<std::vector<std::size_t>> bodies = piecesOf(assembly.sweep);
+  std::vector<Index> pointOf = noPoints(assembly.sweep);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
   {
-    addGrid(assembly.labels.names[v],
-      assembly.sweep.volumes[v].isMine ? volumeGrid(assembly, v, fields) : nullptr, output);
+    addGrid(assembly.labels.names[b],
+      assembly.sweep.volumes[bodies[b].front()].isMine
+        ? bodyGrid(assembly, b, bodies[b], fields, pointOf)
+        : nullptr,
+      output);
   }
 }
 
@@ -330,7 +412,8 @@ void writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGrid
     firstHex.push_back(hexes);
     hexes += volume.hexes.hexes.rows();
   }
-  const MergedPoints merged = mergedPoints(sweep);
+  const MergedPoints merged = mergedPoints(sweep, allVolumes(sweep), noPoints(sweep));
+  const std::vector<std::size_t> labelOf = labelsOf(sweep);
   std::vector<Index> pointOf(static_cast<std::size_t>(sweep.boundary.nodes.size()), -1);
   std::vector<Index> nodes;
   std::vector<Index> hexPoints;
@@ -347,13 +430,17 @@ void writeAssemblyBoundary(const NumberedAssembly& assembly, vtkUnstructuredGrid
   for (const AssemblyQuad& quad : assemblyBoundary(sweep))
   {
     const ComplexFace& face = sweep.planned.complex.faces[static_cast<std::size_t>(quad.face)];
+    if (isCutFace(sweep, face))
+    {
+      continue;
+    }
     std::array<Index, 2> volumes{ 0, 0 };
     std::array<Index, 2> pair{ -1, -1 };
     for (std::size_t s = 0; s < face.volumes.size(); ++s)
     {
       const HexAtQuad& hex = quad.hexes[s];
       const auto volume = static_cast<std::size_t>(face.volumes[s]);
-      volumes[s] = labels.ids[volume];
+      volumes[s] = labels.ids[labelOf[volume]];
       pair[s] = hex.volume < 0 ? -1 : numbers.firstHexes[volume] + hex.hex;
     }
     // A quad between volumes of two ranks is the rank's that has the first one.

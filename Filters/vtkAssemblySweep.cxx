@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAssemblySweep.h"
 
+#include "Core/Assemblies/VolumePieces.h"
 #include "Core/Common/Describe.h"
 #include "HexSweepAssemblyInput.h"
 #include "HexSweepAssemblyOutput.h"
@@ -163,6 +164,13 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   checkNamed(labels, this->Sources, "sources");
   checkNamed(labels, this->Targets, "targets");
   checkNamed(labels, this->Layers, "layers");
+  std::vector<std::string> names;
+  for (const AssemblyVolume& volume : volumes)
+  {
+    names.push_back(volume.name);
+  }
+  volumes =
+    cutIntoPieces(std::move(volumes), this->MatchTolerance, pipelineProgress(this, 0.0, 0.05));
   PlannedAssembly planned =
     planVolumes(volumes, this->Size, this->MatchTolerance, pipelineProgress(this, 0.05, 0.15));
   for (const std::string& warning : planned.warnings)
@@ -178,11 +186,16 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
     isMine.push_back(rank == ranks.rank());
   }
   const AssemblySweep sweep = this->Sweep(volumes, std::move(planned), isMine, ranks);
+  const std::vector<Index>& bodyOf = sweep.planned.bodyOf;
   for (std::size_t v = 0; v < volumes.size(); ++v)
   {
-    if (isMine[v] && !sweep.volumes[v].problem.empty())
+    // Of a body in pieces the first one tells it.
+    const bool isTold = bodyOf[v] == static_cast<Index>(v);
+    if (isMine[v] && isTold && !sweep.volumes[v].problem.empty())
     {
-      vtkWarningMacro(<< volumes[v].name << " has no hexahedra: " << sweep.volumes[v].problem);
+      const Index whole = volumes[v].whole;
+      vtkWarningMacro(<< (whole < 0 ? volumes[v].name : names[static_cast<std::size_t>(whole)])
+                      << " has no hexahedra: " << sweep.volumes[v].problem);
     }
   }
   const AssemblyNumbers numbers = numberAssembly(sweep, ranks.greatest(assemblyCounts(sweep)));

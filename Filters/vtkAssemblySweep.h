@@ -7,7 +7,9 @@
  * other), surface cells with the array `VolumeId`, surfaces of which more than two meet at edges
  * (as gmsh meshes all faces of a model: the regions that they enclose are the volumes), or volume
  * cells, told apart by `VolumeId` or `CellEntityIds`. Volumes share what they have the same
- * triangles of. Each volume is swept one to one; the filter finds the caps of all of them, so that
+ * triangles of. Each volume is swept one to one; one with caps at several heights (a headed bolt, a
+ * counterbored plate) is first cut along the planes of its flat caps into pieces that can be, and
+ * put together again in the output. The filter finds the caps of all of them, so that
  * each shared face gets one mesh: layers and rows of quads on the sides, quads of one cap carried
  * through a stack of volumes, quads of a side as the cap of a volume that stands on it. The numbers
  * of edges on all curves follow from one size, by an integer programme where sides ask for sums of
@@ -18,8 +20,9 @@
  * have the cell arrays `VolumeId` (from 1 on), `ScaledJacobian`, `JacobianLowerBound`, `Validity`
  * (see vtkHexValidity), the point array `GlobalNodeIds` (global ids: the same for points that
  * volumes share), the cell array `GlobalCellIds` and the report of vtkHexValidity in their field
- * data. The plan is there, too: `SweepReportVolumeIds` and `SweepReportLayers`, one a volume,
- * `SweepReportPlannedSources` and `SweepReportPlannedTargets`, face ids as text, one a volume.
+ * data. The plan is there, too: `SweepReportVolumeIds`, `SweepReportPieces` and
+ * `SweepReportLayers`, one a volume, `SweepReportPlannedSources` and `SweepReportPlannedTargets`,
+ * face ids as text, one a volume; of volumes in pieces the layers are 0 and the texts empty.
  * Given back as volume sources, targets and layers it is repeated. `SweepReportUnmeshedVolumes` has
  * the ids of volumes without hexahedra, where there are any.
  *

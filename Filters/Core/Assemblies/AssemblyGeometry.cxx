@@ -19,6 +19,29 @@ const ModelGeometry* AssemblyGeometry::of(Index volume) const
   return this->OfVolumes.empty() ? nullptr : this->OfVolumes[at(volume)].get();
 }
 
+std::vector<AssemblyGeometry::VolumeEdge> AssemblyGeometry::edgesBetween(
+  const ComplexFace& one, const ComplexFace& other) const
+{
+  std::vector<VolumeEdge> edges;
+  for (const Index volume : one.volumes)
+  {
+    const ModelGeometry* const geometry = this->of(volume);
+    for (const Index otherVolume : other.volumes)
+    {
+      // Pieces of one solid have one geometry.
+      if (!geometry || this->of(otherVolume) != geometry)
+      {
+        continue;
+      }
+      for (const Index edge : geometry->edgesBetween(one.idIn(volume), other.idIn(otherVolume)))
+      {
+        edges.push_back({ volume, edge });
+      }
+    }
+  }
+  return edges;
+}
+
 std::optional<Eigen::RowVector3d> AssemblyGeometry::onFace(
   Index face, const Eigen::RowVector3d& place) const
 {
@@ -44,21 +67,13 @@ std::optional<Eigen::RowVector3d> AssemblyGeometry::onCurve(
         best = this->onFace(faces[i], place);
         continue;
       }
-      for (const Index volume : one.volumes)
+      for (const VolumeEdge& edge : this->edgesBetween(one, other))
       {
-        const ModelGeometry* const geometry = this->of(volume);
-        const bool hasBoth = std::count(other.volumes.begin(), other.volumes.end(), volume) > 0;
-        if (!geometry || !hasBoth)
+        const std::optional<Eigen::RowVector3d> found =
+          this->of(edge.volume)->closestOnEdge(edge.id, place);
+        if (found && (!best || (*found - place).norm() < (*best - place).norm()))
         {
-          continue;
-        }
-        for (const Index edge : geometry->edgesBetween(one.idIn(volume), other.idIn(volume)))
-        {
-          const std::optional<Eigen::RowVector3d> found = geometry->closestOnEdge(edge, place);
-          if (found && (!best || (*found - place).norm() < (*best - place).norm()))
-          {
-            best = found;
-          }
+          best = found;
         }
       }
     }

@@ -31,6 +31,12 @@ public:
   std::optional<Eigen::RowVector3d> onCurve(Index curve, const Eigen::RowVector3d& place) const;
 
 private:
+  struct VolumeEdge
+  {
+    Index volume;
+    Index id;
+  };
+  std::vector<VolumeEdge> edgesBetween(const ComplexFace& one, const ComplexFace& other) const;
   const ModelGeometry* of(Index volume) const;
 
   const AssemblyComplex& Complex;

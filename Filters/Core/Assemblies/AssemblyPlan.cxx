@@ -373,7 +373,7 @@ VolumeOptions sweepOptions(
       result.options.push_back(
         { layOutSides(complex, volume, rowsOfFaces(complex, volume, candidate.sourceFaceIds),
             rowsOfFaces(complex, volume, candidate.targetFaceIds)),
-          candidate.score, !named.sourceFaceIds.empty() });
+          candidate.score, !named.sourceFaceIds.empty() && !named.eitherWay });
     }
     catch (const InvalidInput& error)
     {

@@ -35,6 +35,7 @@ struct NamedSweep
   std::vector<Index> sourceFaceIds; ///< empty: any
   std::vector<Index> targetFaceIds; ///< empty: any
   Index layers = 0;                 ///< 0: by size
+  bool eitherWay = false;           ///< the caps may change places
 };
 
 /**

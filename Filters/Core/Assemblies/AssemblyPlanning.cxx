@@ -59,6 +59,33 @@ double defaultSize(const PlannedAssembly& planned)
   return std::max(size, std::cbrt(all / MostDefaultHexes));
 }
 
+std::vector<Index> bodiesOf(const std::vector<AssemblyVolume>& volumes)
+{
+  std::map<Index, Index> firstOf; // by whole
+  std::vector<Index> bodies;
+  for (std::size_t v = 0; v < volumes.size(); ++v)
+  {
+    const Index row = static_cast<Index>(v);
+    bodies.push_back(
+      volumes[v].whole < 0 ? row : firstOf.try_emplace(volumes[v].whole, row).first->second);
+  }
+  return bodies;
+}
+
+/// Leaves a volume out, and with it the other pieces of one that was cut.
+void leaveOut(const std::vector<AssemblyVolume>& volumes, std::size_t volume,
+  const std::string& problem, std::vector<VolumeOptions>& options, PlannedAssembly& planned)
+{
+  for (std::size_t v = 0; v < volumes.size(); ++v)
+  {
+    if (v == volume || (volumes[v].whole >= 0 && volumes[v].whole == volumes[volume].whole))
+    {
+      planned.problems[v] = problem;
+      options[v] = {};
+    }
+  }
+}
+
 /// The ways of all volumes; those that have none are left out, with why.
 std::vector<VolumeOptions> optionsOf(
   const std::vector<AssemblyVolume>& volumes, const Progress& progress, PlannedAssembly& planned)
@@ -68,8 +95,11 @@ std::vector<VolumeOptions> optionsOf(
   for (std::size_t v = 0; v < volumes.size(); ++v)
   {
     reportProgress(progress, static_cast<double>(v) / static_cast<double>(volumes.size()));
-    planned.problems[v] = volumes[v].problem;
     if (!volumes[v].problem.empty())
+    {
+      leaveOut(volumes, v, volumes[v].problem, options, planned);
+    }
+    if (!planned.problems[v].empty())
     {
       continue;
     }
@@ -80,7 +110,7 @@ std::vector<VolumeOptions> optionsOf(
     }
     catch (const InvalidInput& error)
     {
-      planned.problems[v] = error.what();
+      leaveOut(volumes, v, error.what(), options, planned);
     }
   }
   const auto isBad = [](const std::string& problem) { return !problem.empty(); };
@@ -110,8 +140,9 @@ void checkSize(const PlannedAssembly& planned)
 }
 
 /// @return whether there is a plan now; else a volume was left out, with why.
-bool planAndImprint(const std::vector<const SolidSurface*>& solids, double size,
-  std::vector<VolumeOptions>& options, PlannedAssembly& result)
+bool planAndImprint(const std::vector<AssemblyVolume>& volumes,
+  const std::vector<const SolidSurface*>& solids, double size, std::vector<VolumeOptions>& options,
+  PlannedAssembly& result)
 {
   result.plan = planAssembly(result.complex, options, [&](Index volume, const SweepLayout& layout) {
     return capMapOf(result.complex, volume, layout, *solids[at(volume)]).has_value();
@@ -125,13 +156,12 @@ bool planAndImprint(const std::vector<const SolidSurface*>& solids, double size,
   }
   catch (const ImprintFailure& failure)
   {
+    leaveOut(volumes, at(failure.volume()), failure.what(), options, result);
     const auto isThere = [](const std::string& problem) { return problem.empty(); };
-    if (std::count_if(result.problems.begin(), result.problems.end(), isThere) < 2)
+    if (std::none_of(result.problems.begin(), result.problems.end(), isThere))
     {
       throw;
     }
-    result.problems[at(failure.volume())] = failure.what();
-    options[at(failure.volume())] = {};
     return false;
   }
 }
@@ -171,12 +201,13 @@ PlannedAssembly planVolumes(const std::vector<AssemblyVolume>& volumes, double s
     names.push_back(volume.name);
     layers.push_back(volume.named.layers);
   }
+  result.bodyOf = bodiesOf(volumes);
   result.complex = makeAssemblyComplex(solids, matchTolerance);
   stages.finish("Faces and curves");
   result.warnings = describeNeighbours(result.complex, solids, names);
   stages.finish("Neighbours");
   std::vector<VolumeOptions> options = optionsOf(volumes, progressPart(progress, 0.0, 0.8), result);
-  while (!planAndImprint(solids, size, options, result))
+  while (!planAndImprint(volumes, solids, size, options, result))
   {
     // Faces may have been cut before a border had no place.
     result.complex = makeAssemblyComplex(solids, matchTolerance);
@@ -205,20 +236,22 @@ std::vector<int> shareVolumes(const PlannedAssembly& planned, int ranks)
   const double most = std::accumulate(workOfStack.begin(), workOfStack.end(), 0.0,
     [](double greatest, const auto& stack) { return std::max(greatest, stack.second); });
   const bool byStacks = most * ranks <= 1.2 * all;
-  std::vector<std::pair<double, Index>> parts; // work (negative: the most first), stack or volume
-  if (byStacks)
+  // Pieces of one body stay together.
+  std::map<Index, double> workOfPart;
+  const auto partOf = [&](std::size_t v) {
+    return byStacks ? planned.plan.stackOf[at(planned.bodyOf[v])] : planned.bodyOf[v];
+  };
+  for (std::size_t v = 0; v < work.size(); ++v)
   {
-    for (const auto& [stack, own] : workOfStack)
+    if (planned.problems[v].empty())
     {
-      parts.emplace_back(-own, stack);
+      workOfPart[partOf(v)] += work[v];
     }
   }
-  else
+  std::vector<std::pair<double, Index>> parts; // work (negative: the most first), stack or body
+  for (const auto& [part, own] : workOfPart)
   {
-    for (std::size_t v = 0; v < work.size(); ++v)
-    {
-      parts.emplace_back(-work[v], static_cast<Index>(v));
-    }
+    parts.emplace_back(-own, part);
   }
   std::sort(parts.begin(), parts.end());
   RankLoads loads(ranks);
@@ -230,7 +263,7 @@ std::vector<int> shareVolumes(const PlannedAssembly& planned, int ranks)
   std::vector<int> result(work.size(), 0);
   for (std::size_t v = 0; v < work.size(); ++v)
   {
-    const auto found = rankOf.find(byStacks ? planned.plan.stackOf[v] : static_cast<Index>(v));
+    const auto found = rankOf.find(partOf(v));
     result[v] = found == rankOf.end() ? 0 : found->second;
   }
   return result;

@@ -22,6 +22,9 @@ struct AssemblyVolume
   std::string name;                              ///< for messages: "\"Bolt\""
   std::string problem = {};                      ///< why it has no surface; empty: it has
   NamedSweep named;
+  /// Of a piece (see cutIntoPieces()): row of the volume as it was given. Pieces of one volume have
+  /// hexahedra together or not at all. -1: no piece.
+  Index whole = -1;
 };
 
 struct PlannedAssembly
@@ -30,6 +33,7 @@ struct PlannedAssembly
   AssemblyPlan plan;
   AssemblyIntervals intervals;
   double size = 0.0;
+  std::vector<Index> bodyOf; ///< one a volume: its own row; of a piece that of the first piece
   std::vector<std::string> problems; ///< one a volume: why it is left out; empty: it is not
   std::vector<std::string> warnings; ///< see describeNeighbours()
   std::vector<Stage> stages;

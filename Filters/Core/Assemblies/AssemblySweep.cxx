@@ -8,6 +8,7 @@
 #include "Core/Common/StandardIndex.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -113,9 +114,34 @@ std::vector<Index> numberNodes(const VolumeCage& cage, Index& next)
   return nodes;
 }
 
+/// Takes the hexahedra away from bodies of which a piece has none.
+void emptyBrokenBodies(AssemblySweep& sweep)
+{
+  const std::vector<Index>& bodyOf = sweep.planned.bodyOf;
+  std::map<Index, std::string> broken;
+  for (std::size_t v = 0; v < sweep.volumes.size(); ++v)
+  {
+    if (!sweep.volumes[v].problem.empty())
+    {
+      broken.try_emplace(bodyOf[v], sweep.volumes[v].problem);
+    }
+  }
+  for (std::size_t v = 0; v < sweep.volumes.size(); ++v)
+  {
+    const auto found = broken.find(bodyOf[v]);
+    if (found != broken.end() && sweep.volumes[v].problem.empty())
+    {
+      const bool isMine = sweep.volumes[v].isMine;
+      sweep.volumes[v] = {};
+      sweep.volumes[v].problem = found->second;
+      sweep.volumes[v].isMine = isMine;
+    }
+  }
+}
+
 Points placesOfAll(const AssemblySweep& sweep, Index count)
 {
-  Points places(count, 3);
+  Points places = Points::Zero(count, 3); // numbers of what was taken away are no one's
   for (Index i = 0; i < sweep.boundary.nodes.size(); ++i)
   {
     places.row(i) = sweep.boundary.nodes[i];
@@ -189,6 +215,7 @@ AssemblySweep sweepAssembly(const std::vector<AssemblyVolume>& volumes, PlannedA
     });
     cages[v] = {};
   }
+  emptyBrokenBodies(result);
   stages.finish("Hexahedra");
   result.nodes = placesOfAll(result, next);
   result.stages = result.planned.stages;

@@ -138,7 +138,8 @@ class Assembly:
                         "name": names.GetValue(int(ids.GetTuple1(v))) if names else "",
                         "source": [int(word) for word in text["PlannedSources"].GetValue(v).split()],
                         "target": [int(word) for word in text["PlannedTargets"].GetValue(v).split()],
-                        "layers": int(layers.GetTuple1(v)),
+                        # A body that is cut into pieces has layers in each of them.
+                        **({"layers": int(layers.GetTuple1(v))} if layers.GetTuple1(v) else {}),
                     }
                     for v in range(ids.GetNumberOfTuples())
                 ],

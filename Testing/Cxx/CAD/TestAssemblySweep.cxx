@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "AssemblyMeshes.h"
 #include "CADMeshes.h"
 #include "CADParts.h"
-#include "TestEvents.h"
-#include "vtkAssemblySweep.h"
-#include "vtkCADReader.h"
 
 #include <BRepBndLib.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
-#include <BRepPrimAPI_MakeCone.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
-#include <TopoDS_Compound.hxx>
-#include <gp_Ax2.hxx>
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkHexahedron.h>
 #include <vtkIdList.h>
-#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <gtest/gtest.h>
@@ -35,9 +24,13 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
-using cadmeshes::temporaryFile;
+using assemblymeshes::dataFile;
+using assemblymeshes::gridOf;
+using assemblymeshes::HexFaces;
+using assemblymeshes::report;
+using assemblymeshes::Swept;
+using assemblymeshes::volumesIn;
 
 namespace
 {
@@ -50,146 +43,6 @@ struct Assembly
   double outerArea;
   int sharedFaces;
 };
-
-/// The faces of a mesh's hexahedra, and how often each is used.
-struct HexFaces
-{
-  std::map<std::array<vtkIdType, 4>, int> uses;
-  double skinArea = 0.0;
-  int most = 0;
-
-  explicit HexFaces(vtkUnstructuredGrid* grid)
-  {
-    std::map<std::array<vtkIdType, 4>, std::array<vtkIdType, 4>> corners;
-    vtkNew<vtkIdList> points;
-    for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-    {
-      grid->GetCellPoints(c, points);
-      for (int f = 0; f < 6; ++f)
-      {
-        const vtkIdType* face = vtkHexahedron::GetFaceArray(f);
-        std::array<vtkIdType, 4> own{};
-        for (std::size_t i = 0; i < 4; ++i)
-        {
-          own[i] = points->GetId(face[i]);
-        }
-        std::array<vtkIdType, 4> key = own;
-        std::sort(key.begin(), key.end());
-        corners[key] = own;
-        this->most = std::max(this->most, ++this->uses[key]);
-      }
-    }
-    for (const auto& [key, count] : this->uses)
-    {
-      this->skinArea += count == 1 ? areaOf(grid, corners[key]) : 0.0;
-    }
-  }
-
-  static double areaOf(vtkUnstructuredGrid* grid, const std::array<vtkIdType, 4>& corners)
-  {
-    double p[4][3];
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      grid->GetPoint(corners[i], p[i]);
-    }
-    double d[3];
-    double e[3];
-    double normal[3];
-    vtkMath::Subtract(p[2], p[0], d);
-    vtkMath::Subtract(p[3], p[1], e);
-    vtkMath::Cross(d, e, normal);
-    return 0.5 * vtkMath::Norm(normal);
-  }
-};
-
-std::set<int> volumesIn(vtkUnstructuredGrid* grid)
-{
-  std::set<int> ids;
-  vtkDataArray* array = grid->GetCellData()->GetArray("VolumeId");
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    ids.insert(static_cast<int>(array->GetTuple1(c)));
-  }
-  return ids;
-}
-
-double report(vtkUnstructuredGrid* grid, const std::string& name)
-{
-  vtkDataArray* array = grid->GetFieldData()->GetArray(("SweepReport" + name).c_str());
-  return array ? array->GetTuple1(0) : HUGE_VAL;
-}
-
-vtkUnstructuredGrid* gridOf(vtkAssemblySweep* sweep, unsigned int place = 0)
-{
-  return vtkUnstructuredGrid::SafeDownCast(sweep->GetOutput()->GetPartition(place, 0));
-}
-
-/// A file read and swept, merged.
-struct Swept
-{
-  vtkNew<vtkCADReader> reader;
-  vtkNew<vtkAssemblySweep> sweep;
-  test::Events events{ sweep };
-
-  explicit Swept(const std::string& file, double size = 0.0)
-  {
-    this->reader->SetFileName(file.c_str());
-    this->sweep->SetInputConnection(this->reader->GetOutputPort());
-    this->sweep->MergedOn();
-    this->sweep->SetSize(size);
-    this->sweep->Update();
-  }
-  vtkUnstructuredGrid* grid() { return gridOf(this->sweep); }
-};
-
-std::string dataFile(const std::string& name)
-{
-  return std::string(HEXSWEEP_DATA_DIR) + "/cad/" + name + ".step";
-}
-
-TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes)
-{
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& shape : shapes)
-  {
-    builder.Add(all, shape);
-  }
-  return all;
-}
-
-TopoDS_Shape block(double x, double y, double z, double dx, double dy, double dz)
-{
-  return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
-}
-
-std::string fileOf(const std::string& name, const std::vector<TopoDS_Shape>& shapes)
-{
-  const std::string file = temporaryFile(name + ".step");
-  cadparts::writeSTEP(together(shapes), file);
-  return file;
-}
-
-/// Ids of the faces of a solid at its least and greatest z.
-std::pair<int, int> facesAcross(vtkCADReader* reader, unsigned int solid)
-{
-  auto* triangles = vtkPolyData::SafeDownCast(reader->GetOutput()->GetPartition(solid, 0));
-  vtkDataArray* ids = triangles->GetCellData()->GetArray("FaceId");
-  double bounds[6];
-  triangles->GetBounds(bounds);
-  std::pair<int, int> found{ -1, -1 };
-  for (vtkIdType t = 0; t < triangles->GetNumberOfCells(); ++t)
-  {
-    double own[6];
-    triangles->GetCellBounds(t, own);
-    if (own[4] == own[5])
-    {
-      (own[4] == bounds[4] ? found.first : found.second) = static_cast<int>(ids->GetTuple1(t));
-    }
-  }
-  return found;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -408,69 +261,6 @@ TEST(AssemblySweep, LayersOfThePinFollowThePlates)
 }
 
 //------------------------------------------------------------------------------
-// Two pads of different size on both sides of a plate: borders on both caps, none on the other.
-TEST(AssemblySweep, BordersOfTheTargetAreCarriedToTheSource)
-{
-  const std::string file = fileOf(
-    "pads", { block(0, 0, 0, 20, 16, 2), block(3, 4, 2, 6, 5, 4), block(8, 6, -3, 7, 6, 3) });
-  Swept swept(file, 1.0);
-  ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
-  EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
-  EXPECT_GE(report(swept.grid(), "MinScaledJacobian"), 0.2);
-  const HexFaces faces(swept.grid());
-  EXPECT_EQ(faces.most, 2);
-  const double area = 2.0 * (20 * 16 + 20 * 2 + 16 * 2) + 2.0 * (6 + 5) * 4 + 2.0 * (7 + 6) * 3;
-  EXPECT_NEAR(faces.skinArea, area, 1e-9 * area);
-  EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), 640.0 + 120.0 + 126.0, 1e-6);
-}
-
-//------------------------------------------------------------------------------
-/// Blocks that touch: a conforming mesh with their volume and the area of their skin.
-void expectFits(
-  const std::string& name, const std::vector<TopoDS_Shape>& shapes, double volume, double skinArea)
-{
-  Swept swept(fileOf(name, shapes), 1.0);
-  ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
-  ASSERT_TRUE(swept.events.warnings.empty()) << swept.events.warnings.front();
-  EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
-  EXPECT_GE(report(swept.grid(), "MinScaledJacobian"), 0.2);
-  const HexFaces faces(swept.grid());
-  EXPECT_EQ(faces.most, 2);
-  EXPECT_NEAR(faces.skinArea, skinArea, 1e-9 * skinArea);
-  EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), volume, 1e-9 * volume);
-}
-
-// Blocks on three sides of a cube: whatever way it is swept, a face lies inside one of its sides.
-TEST(AssemblySweep, FacesInsideSidesAreRowsAndLayersOfThem)
-{
-  expectFits("three_sides",
-    { block(0, 0, 0, 10, 10, 10), block(10, 2, 2, 5, 5, 5), block(2, 10, 3, 5, 5, 5),
-      block(3, 3, 10, 5, 5, 5) },
-    1000.0 + 3 * 125.0, 600.0 + 3 * 100.0);
-}
-
-// Swept the likeliest way each, the quads of both caps of the plate would be given.
-TEST(AssemblySweep, CapsThatWouldBeKnownTwiceAreSweptOtherwise)
-{
-  expectFits("pads_on_both_sides",
-    { block(0, 0, 0, 8, 8, 2), block(1, 1, -2, 2, 2, 2), block(5, 5, -2, 2, 2, 2),
-      block(5, 1, 2, 2, 2, 2) },
-    128.0 + 24.0, 192.0 + 3 * 16.0);
-  expectFits("arms", { block(0, 0, 0, 9, 3, 3), block(3, -3, 0, 3, 3, 3), block(3, 3, 0, 3, 3, 3) },
-    81.0 + 54.0, 126.0 + 2 * 36.0);
-}
-
-// Blocks that share parts of their sides leave faces with six corners.
-TEST(AssemblySweep, SidesMayHaveMoreThanFourCorners)
-{
-  expectFits("staggered",
-    { block(0, 0, 0, 10, 10, 4), block(5, 5, 4, 10, 10, 4), block(10, -5, 0, 8, 10, 8) },
-    400.0 + 400.0 + 640.0,
-    // Less twice what they share: 25 between the first two, 20 each with the third.
-    360.0 + 360.0 + 448.0 - 2 * (25.0 + 20.0 + 20.0));
-}
-
-//------------------------------------------------------------------------------
 TEST(AssemblySweep, NamedCapsAreObeyed)
 {
   vtkNew<vtkCADReader> reader;
@@ -494,123 +284,4 @@ TEST(AssemblySweep, NamedCapsAreObeyed)
   EXPECT_NE(parts[12], 2);
   EXPECT_EQ(parts[13], 2);
   EXPECT_EQ(parts[14], 2);
-}
-
-//------------------------------------------------------------------------------
-TEST(AssemblySweep, AVolumeThatCannotBeSweptIsNamedWithItsFaces)
-{
-  // A cone to its tip on a block.
-  const std::string file = fileOf("cone",
-    { block(0, 0, 0, 10, 10, 10),
-      BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(5, 5, 10), gp_Dir(0, 0, 1)), 3.0, 0.0, 4.0).Shape() });
-  Swept swept(file, 1.0);
-  EXPECT_TRUE(swept.events.errors.empty());
-  ASSERT_EQ(swept.events.warnings.size(), 1U);
-  const std::string& warning = swept.events.warnings.front();
-  EXPECT_NE(warning.find("volume 2"), std::string::npos) << warning;
-  EXPECT_NE(warning.find("has no hexahedra"), std::string::npos) << warning;
-  // The other one is there.
-  EXPECT_EQ(volumesIn(swept.grid()), std::set<int>{ 1 });
-  EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), 1000.0, 1e-6);
-}
-
-// The images of two round pads cross: the plate is left out, and what lies apart is there.
-TEST(AssemblySweep, BordersWithoutAPlaceLeaveOutOneVolumeAlone)
-{
-  const auto disk = [](double x, double y, double z) {
-    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, z), gp_Dir(0, 0, 1)), 0.4, 1.0).Shape();
-  };
-  Swept swept(fileOf("crossing_pads",
-                { block(0, 0, 0, 4, 4, 1), disk(1, 1, 1), disk(1.3, 1.3, -1),
-                  block(9, 0, 0, 1, 1, 1), block(9, 0, 1, 1, 1, 1) }),
-    0.2);
-  EXPECT_TRUE(swept.events.errors.empty());
-  const std::set<int> volumes = volumesIn(swept.grid());
-  EXPECT_EQ(volumes.count(4) + volumes.count(5), 2U);
-  EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
-  // Each volume that is missing is named.
-  EXPECT_EQ(swept.events.warnings.size(), 5U - volumes.size());
-}
-
-//------------------------------------------------------------------------------
-/// The filter's one warning about blocks as the reader gives them without imprinting.
-std::string warningAbout(const std::vector<TopoDS_Shape>& shapes)
-{
-  vtkNew<vtkCADReader> reader;
-  reader->SetFileName(fileOf("neighbours", shapes).c_str());
-  reader->ImprintAndMergeOff();
-  vtkNew<vtkAssemblySweep> sweep;
-  const test::Events events(sweep);
-  sweep->SetInputConnection(reader->GetOutputPort());
-  sweep->SetSize(2.0);
-  sweep->Update();
-  EXPECT_TRUE(events.errors.empty()) << events.errors.front();
-  EXPECT_EQ(events.warnings.size(), 1U);
-  return events.warnings.empty() ? std::string() : events.warnings.front();
-}
-
-TEST(AssemblySweep, SaysOnceHowVolumesLieWrong)
-{
-  const TopoDS_Shape first = block(0, 0, 0, 10, 10, 10);
-  const auto expectWords = [](const std::string& warning, const std::string& words) {
-    EXPECT_NE(warning.find(words), std::string::npos) << warning;
-  };
-  expectWords(warningAbout({ first, block(5, 5, 5, 10, 10, 10) }), "overlap at (");
-  // Bars that cross: no corner of one lies in the other.
-  expectWords(warningAbout({ block(-10, 0, 0, 20, 2, 2), block(-1, -10, 0.5, 2, 20, 1) }),
-    "go through or lie upon each other");
-  expectWords(warningAbout({ first, block(2, 3, 4, 2, 2, 2) }), "(\"Solid 2\") lies in volume 1");
-  expectWords(warningAbout({ first, block(0, 0, 0, 10, 10, 10) }), "are the same body");
-  expectWords(warningAbout({ first, block(0, 0, 10.0005, 10, 10, 5) }), "are 0.0005 apart");
-  // They touch and were not imprinted.
-  expectWords(warningAbout({ first, block(1, 1, 10, 4, 4, 4) }), "without sharing a face");
-}
-
-TEST(AssemblySweep, VolumesThatAreFarFromEachOtherGiveNoWarning)
-{
-  Swept swept(fileOf("apart", { block(0, 0, 0, 4, 4, 4), block(5, 0, 0, 4, 4, 4) }), 1.0);
-  EXPECT_TRUE(swept.events.errors.empty());
-  EXPECT_TRUE(swept.events.warnings.empty()) << swept.events.warnings.front();
-  EXPECT_EQ(volumesIn(swept.grid()).size(), 2U);
-}
-
-//------------------------------------------------------------------------------
-// Blocks whose sides share layers, asked for different numbers of them.
-TEST(AssemblySweep, NumbersOfLayersThatContradictEachOtherAreRefusedInWords)
-{
-  vtkNew<vtkCADReader> reader;
-  reader->SetFileName(
-    fileOf("beside", { block(0, 0, 0, 4, 4, 4), block(4, 0, 0, 4, 4, 4) }).c_str());
-  vtkNew<vtkAssemblySweep> sweep;
-  const test::Events events(sweep);
-  sweep->SetInputConnection(reader->GetOutputPort());
-  sweep->SetSize(1.0);
-  sweep->AddVolumeLayers(1, 3);
-  sweep->AddVolumeLayers(2, 5);
-  // Top and bottom are caps of both, so that the face between them is a side of both.
-  for (const int volume : { 1, 2 })
-  {
-    reader->Update();
-    const auto [bottom, top] = facesAcross(reader, static_cast<unsigned int>(volume - 1));
-    sweep->AddVolumeSource(volume, bottom);
-    sweep->AddVolumeTarget(volume, top);
-  }
-  sweep->Update();
-  ASSERT_EQ(events.errors.size(), 1U);
-  EXPECT_NE(events.errors.front().find("contradict"), std::string::npos) << events.errors.front();
-  EXPECT_NE(events.errors.front().find("volume 2"), std::string::npos) << events.errors.front();
-  EXPECT_NE(events.errors.front().find("they share face"), std::string::npos);
-  sweep->RemoveAllVolumeLayers();
-  sweep->AddVolumeLayers(1, 3);
-  sweep->Update();
-  EXPECT_EQ(gridOf(sweep, 1)->GetFieldData()->GetArray("SweepReportLayers")->GetTuple1(0), 3.0);
-}
-
-//------------------------------------------------------------------------------
-TEST(AssemblySweep, OneSolidIsAnAssemblyToo)
-{
-  Swept swept(fileOf("one", { block(0, 0, 0, 4, 3, 2) }), 0.5);
-  ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
-  EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
-  EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), 24.0, 1e-9);
 }

@@ -5,6 +5,7 @@
 #include "Core/Common/Describe.h"
 #include "HexSweepAssemblyInput.h"
 #include "HexSweepAssemblyOutput.h"
+#include "HexSweepAssemblyText.h"
 #include "HexSweepBodies.h"
 #include "HexSweepRanks.h"
 #include "HexSweepRun.h"
@@ -186,17 +187,9 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
     isMine.push_back(rank == ranks.rank());
   }
   const AssemblySweep sweep = this->Sweep(volumes, std::move(planned), isMine, ranks);
-  const std::vector<Index>& bodyOf = sweep.planned.bodyOf;
-  for (std::size_t v = 0; v < volumes.size(); ++v)
+  for (const std::string& sentence : describeVolumes(sweep, volumes, names))
   {
-    // Of a body in pieces the first one tells it.
-    const bool isTold = bodyOf[v] == static_cast<Index>(v);
-    if (isMine[v] && isTold && !sweep.volumes[v].problem.empty())
-    {
-      const Index whole = volumes[v].whole;
-      vtkWarningMacro(<< (whole < 0 ? volumes[v].name : names[static_cast<std::size_t>(whole)])
-                      << " has no hexahedra: " << sweep.volumes[v].problem);
-    }
+    vtkWarningMacro(<< sentence);
   }
   const AssemblyNumbers numbers = numberAssembly(sweep, ranks.greatest(assemblyCounts(sweep)));
   vtkNew<vtkFieldData> fields;

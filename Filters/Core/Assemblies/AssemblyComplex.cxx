@@ -31,32 +31,6 @@ std::string nameOfFace(Index id)
   return "face " + std::to_string(id);
 }
 
-/// Of triangles with labels: the first triangle of the piece of one label that each is in.
-std::vector<Index> piecesOf(
-  const Triangles& triangles, Index points, const std::vector<Index>& labels)
-{
-  DisjointSets pieces(triangles.rows());
-  const std::vector<FaceSide> sides = sortedSides(triangles, points);
-  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-    {
-      for (std::size_t j = i + 1; j < last; ++j)
-      {
-        if (labels[at(sides[i].face)] == labels[at(sides[j].face)])
-        {
-          pieces.join(sides[i].face, sides[j].face);
-        }
-      }
-    }
-  });
-  std::vector<Index> result;
-  for (Index t = 0; t < triangles.rows(); ++t)
-  {
-    result.push_back(pieces.find(t));
-  }
-  return result;
-}
-
 /// Collects faces and triangles, volume after volume.
 void addSolids(
   const std::vector<const SolidSurface*>& solids, double matchTolerance, AssemblyComplex& complex)
@@ -94,7 +68,8 @@ void addSolids(
   }
   complex.triangles =
     Eigen::Map<const Triangles>(triangles.front().data(), static_cast<Index>(triangles.size()), 3);
-  const std::vector<Index> pieces = piecesOf(complex.triangles, complex.points.rows(), labels);
+  const std::vector<Index> pieces =
+    connectedPieces(complex.triangles, complex.points.rows(), labels);
   std::map<Index, Index> faceOfPiece;
   complex.volumes.resize(solids.size());
   for (std::size_t t = 0; t < labels.size(); ++t)
@@ -182,7 +157,7 @@ private:
   bool isVertex(Index point) const
   {
     const std::vector<Index>& others = this->Beside.at(point);
-    if (others.size() != 2 ||
+    if (others.size() != 2 || this->Complex.vertices.count(point) > 0 ||
       this->Borders.at(edge(point, others[0])) != this->Borders.at(edge(point, others[1])))
     {
       return true;
@@ -300,6 +275,31 @@ AssemblyComplex makeAssemblyComplex(
   addSolids(solids, matchTolerance, complex);
   traceCurves(complex);
   return complex;
+}
+
+std::vector<Index> connectedPieces(
+  const Triangles& triangles, Index points, const std::vector<Index>& labels)
+{
+  DisjointSets pieces(triangles.rows());
+  const std::vector<FaceSide> sides = sortedSides(triangles, points);
+  forEachEdge(sides, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      for (std::size_t j = i + 1; j < last; ++j)
+      {
+        if (labels[at(sides[i].face)] == labels[at(sides[j].face)])
+        {
+          pieces.join(sides[i].face, sides[j].face);
+        }
+      }
+    }
+  });
+  std::vector<Index> result;
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    result.push_back(pieces.find(t));
+  }
+  return result;
 }
 
 void traceCurves(AssemblyComplex& complex)

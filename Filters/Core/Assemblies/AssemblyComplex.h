@@ -9,6 +9,9 @@
 #include "Core/Solids/SolidSurface.h"
 #include "Core/Surfaces/SurfacePart.h"
 
+#include <set>
+#include <vector>
+
 namespace hexsweep
 {
 /// A curve as it is run round a face.
@@ -60,6 +63,7 @@ struct AssemblyComplex
   std::vector<ComplexFace> faces;
   std::vector<ComplexCurve> curves;
   std::vector<ComplexVolume> volumes;
+  std::set<Index> vertices; ///< points at which curves end, whatever meets there
 };
 
 /**
@@ -79,6 +83,11 @@ struct AssemblyComplex
  */
 AssemblyComplex makeAssemblyComplex(
   const std::vector<const SolidSurface*>& solids, double matchTolerance = 1e-6);
+
+/// Of triangles with labels: the first triangle of the connected piece of one label that each is
+/// in.
+std::vector<Index> connectedPieces(
+  const Triangles& triangles, Index points, const std::vector<Index>& labels);
 
 /// Finds curves and loops anew, after faces were cut.
 void traceCurves(AssemblyComplex& complex);

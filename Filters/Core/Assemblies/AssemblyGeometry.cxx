@@ -28,8 +28,9 @@ std::vector<AssemblyGeometry::VolumeEdge> AssemblyGeometry::edgesBetween(
     const ModelGeometry* const geometry = this->of(volume);
     for (const Index otherVolume : other.volumes)
     {
-      // Pieces of one solid have one geometry.
-      if (!geometry || this->of(otherVolume) != geometry)
+      // Pieces of one solid have one geometry; parts of one face meet at no edge of it.
+      if (!geometry || this->of(otherVolume) != geometry ||
+        one.idIn(volume) == other.idIn(otherVolume))
       {
         continue;
       }
@@ -50,7 +51,7 @@ std::optional<Eigen::RowVector3d> AssemblyGeometry::onFace(
   return geometry ? geometry->closestOnFace(own.id, place) : std::nullopt;
 }
 
-std::optional<Eigen::RowVector3d> AssemblyGeometry::onCurve(
+std::optional<Eigen::RowVector3d> AssemblyGeometry::onEdge(
   Index curve, const Eigen::RowVector3d& place) const
 {
   std::optional<Eigen::RowVector3d> best;
@@ -61,12 +62,6 @@ std::optional<Eigen::RowVector3d> AssemblyGeometry::onCurve(
     {
       const ComplexFace& one = this->Complex.faces[at(faces[i])];
       const ComplexFace& other = this->Complex.faces[at(faces[j])];
-      if (one.id == other.id)
-      {
-        // The face was cut: the curve lies on it and on no CAD edge.
-        best = this->onFace(faces[i], place);
-        continue;
-      }
       for (const VolumeEdge& edge : this->edgesBetween(one, other))
       {
         const std::optional<Eigen::RowVector3d> found =
@@ -79,5 +74,27 @@ std::optional<Eigen::RowVector3d> AssemblyGeometry::onCurve(
     }
   }
   return best;
+}
+
+std::optional<Eigen::RowVector3d> AssemblyGeometry::onCurve(
+  Index curve, const Eigen::RowVector3d& place) const
+{
+  if (const std::optional<Eigen::RowVector3d> edge = this->onEdge(curve, place))
+  {
+    return edge;
+  }
+  const std::vector<Index>& faces = this->Complex.curves[at(curve)].faces;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < faces.size(); ++j)
+    {
+      // The face was cut: the curve lies on it and on no CAD edge.
+      if (this->Complex.faces[at(faces[i])].id == this->Complex.faces[at(faces[j])].id)
+      {
+        return this->onFace(faces[i], place);
+      }
+    }
+  }
+  return std::nullopt;
 }
 }

@@ -30,6 +30,9 @@ public:
   /// The point of the CAD edges behind a curve nearest to a place.
   std::optional<Eigen::RowVector3d> onCurve(Index curve, const Eigen::RowVector3d& place) const;
 
+  /// The same, of curves that are (on) CAD edges alone.
+  std::optional<Eigen::RowVector3d> onEdge(Index curve, const Eigen::RowVector3d& place) const;
+
 private:
   struct VolumeEdge
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Assemblies/AssemblyIntervals.h"
 
+#include "Core/Assemblies/CapSizes.h"
 #include "Core/Assemblies/IntervalProgramme.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
@@ -83,30 +84,16 @@ public:
 private:
   void wishForCurves()
   {
-    std::set<Index> onCaps;
-    for (const SweepLayout& sweep : this->Plan.sweeps)
-    {
-      for (const std::vector<Index>* cap : { &sweep.sources, &sweep.targets })
-      {
-        for (const Index face : *cap)
-        {
-          for (const std::vector<CurveUse>& loop : this->Complex.faces[at(face)].loops)
-          {
-            for (const CurveUse& use : loop)
-            {
-              onCaps.insert(use.curve);
-            }
-          }
-        }
-      }
-    }
+    const std::map<Index, double> capSizes = capCurveSizes(this->Complex, this->Plan, this->Size);
     for (std::size_t c = 0; c < this->Complex.curves.size(); ++c)
     {
       const ComplexCurve& curve = this->Complex.curves[c];
+      const auto onCap = capSizes.find(static_cast<Index>(c));
       IntervalWish wish;
-      wish.number = std::max(
-        lengthOf(this->Complex, curve) / this->Size, turnOf(this->Complex, curve) / MostTurn);
-      wish.even = onCaps.count(static_cast<Index>(c)) > 0;
+      wish.even = onCap != capSizes.end();
+      wish.number =
+        std::max(lengthOf(this->Complex, curve) / (wish.even ? onCap->second : this->Size),
+          turnOf(this->Complex, curve) / MostTurn);
       wish.least = curve.closed() ? LeastClosed : wish.even ? 2 : 1;
       this->Programme.wishes.push_back(wish);
     }

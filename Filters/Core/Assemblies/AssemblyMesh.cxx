@@ -14,6 +14,43 @@ namespace
 {
 /// Of the edges beside it: no node moves farther to reach a CAD edge.
 constexpr double FarthestEdge = 0.5;
+/// Of the same: a vertex this near to a CAD edge is on it.
+constexpr double OnEdge = 1e-7;
+
+/// Where each vertex belongs: borders that were cut have vertices on chords of CAD edges.
+std::map<Index, Eigen::RowVector3d> placesOfVertices(const AssemblyComplex& complex,
+  const AssemblyGeometry& geometry, const std::vector<Index>& counts)
+{
+  struct Nearest
+  {
+    Eigen::RowVector3d place;
+    double distance;
+  };
+  std::map<Index, Nearest> nearest;
+  for (std::size_t c = 0; c < complex.curves.size(); ++c)
+  {
+    const ComplexCurve& curve = complex.curves[c];
+    const double spacing = lengthOf(complex, curve) / static_cast<double>(counts[c]);
+    for (const Index point : { curve.points.front(), curve.points.back() })
+    {
+      const Eigen::RowVector3d given = complex.points.row(point);
+      Nearest& own =
+        nearest.try_emplace(point, Nearest{ given, FarthestEdge * spacing }).first->second;
+      const std::optional<Eigen::RowVector3d> found = geometry.onEdge(static_cast<Index>(c), given);
+      const double distance = found ? (*found - given).norm() : own.distance;
+      if (distance < own.distance)
+      {
+        own = { distance > OnEdge * spacing ? *found : given, distance };
+      }
+    }
+  }
+  std::map<Index, Eigen::RowVector3d> places;
+  for (const auto& [point, own] : nearest)
+  {
+    places[point] = own.place;
+  }
+  return places;
+}
 }
 
 Points NodeTable::placesOf(const std::vector<Index>& nodes) const
@@ -31,12 +68,13 @@ AssemblyMesh divideCurves(const AssemblyComplex& complex, const AssemblyGeometry
 {
   AssemblyMesh mesh;
   mesh.faces.assign(complex.faces.size(), Quads(0, 4));
+  const std::map<Index, Eigen::RowVector3d> places = placesOfVertices(complex, geometry, counts);
   std::map<Index, Index> nodeOfVertex;
   const auto vertex = [&](Index point) {
     const auto [known, isNew] = nodeOfVertex.try_emplace(point, mesh.nodes.size());
     if (isNew)
     {
-      mesh.nodes.add(complex.points.row(point));
+      mesh.nodes.add(places.at(point));
     }
     return known->second;
   };

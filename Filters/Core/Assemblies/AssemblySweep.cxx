@@ -3,6 +3,7 @@
 
 #include "Core/Assemblies/CapFaces.h"
 #include "Core/Assemblies/CapImprint.h"
+#include "Core/Assemblies/CapSizes.h"
 #include "Core/Assemblies/FaceGrid.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
@@ -90,8 +91,8 @@ VolumeCage meshCaps(const AssemblyGeometry& geometry, Index volume, const SolidS
   {
     if (sweep.boundary.faces[at(face)].rows() == 0)
     {
-      meshCapFace(planned.complex, geometry, face, planned.size, sweep.boundary,
-        progressPart(progress, 0.0, 0.5), parallelFor);
+      meshCapFace(planned.complex, geometry, face, capSize(planned.complex, face, planned.size),
+        sweep.boundary, progressPart(progress, 0.0, 0.5), parallelFor);
     }
   }
   return carryToTarget(planned.complex, geometry, volume, layout,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Assemblies/CapImprint.h"
 
+#include "Core/Assemblies/ComplexCuts.h"
+#include "Core/Assemblies/CurveImages.h"
 #include "Core/CapQuads/CapCurves.h"
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
@@ -25,25 +27,10 @@ namespace
 {
 /// Of the wanted edges: borders this near to each other become one.
 constexpr double Near = 0.02;
-/// Of a border's length: its image is no farther from the curve that it became.
-constexpr double FarFromImage = 0.05;
-
-/// Rows of curves between faces of a cap, whatever else meets there.
-std::vector<Index> innerCurves(const AssemblyComplex& complex, const std::vector<Index>& cap)
-{
-  std::vector<Index> rows;
-  for (std::size_t c = 0; c < complex.curves.size(); ++c)
-  {
-    const std::vector<Index>& faces = complex.curves[c].faces;
-    const auto own = std::count_if(faces.begin(), faces.end(),
-      [&](Index face) { return std::binary_search(cap.begin(), cap.end(), face); });
-    if (own > 1)
-    {
-      rows.push_back(static_cast<Index>(c));
-    }
-  }
-  return rows;
-}
+/// Of the wanted edges, and of a border's length: its image is no farther from the curves that it
+/// became.
+constexpr double FarFromImage = 2.0 * Near;
+constexpr double FarFromShort = 0.05;
 
 std::vector<Index> facesOfRows(const AssemblyComplex& complex, const std::vector<Index>& triangles)
 {
@@ -77,9 +64,6 @@ std::vector<Index> verticesOf(
   }
   return own;
 }
-
-/// New points on an edge, from its lower end on.
-using CutEdges = std::map<std::pair<Index, Index>, std::vector<Index>>;
 
 /// Edges of a cap's boundary that have new points. @param idOf complex point of each of the mesh.
 CutEdges cutBoundary(const ImprintedSurface& cap, Index givenPoints, const std::vector<Index>& idOf)
@@ -177,50 +161,6 @@ void addCutInside(const ImprintedSurface& cap, const TriangleMesh& given,
   }
 }
 
-/// The triangles of a complex while faces of it are replaced.
-struct TriangleList
-{
-  std::vector<std::array<Index, 3>> corners;
-  std::vector<Index> faces;
-
-  void add(const std::array<Index, 3>& triangle, Index face)
-  {
-    this->corners.push_back(triangle);
-    this->faces.push_back(face);
-  }
-
-  /// A triangle, in pieces where its edges are cut.
-  void addCut(const std::array<Index, 3>& triangle, Index face, const CutEdges& cut)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const Index a = triangle[c];
-      const Index b = triangle[(c + 1) % 3];
-      const Index apex = triangle[(c + 2) % 3];
-      const auto found = cut.find(std::minmax({ a, b }));
-      if (found == cut.end())
-      {
-        continue;
-      }
-      std::vector<Index> chain = found->second;
-      if (a > b)
-      {
-        std::reverse(chain.begin(), chain.end());
-      }
-      chain.push_back(b);
-      Index last = a;
-      for (const Index next : chain)
-      {
-        // The others of its edges may be cut, too.
-        this->addCut({ last, next, apex }, face, cut);
-        last = next;
-      }
-      return;
-    }
-    this->add(triangle, face);
-  }
-};
-
 /// Replaces the triangles of a source cap by those that were cut.
 void replaceCap(const std::vector<Index>& rows, const SurfacePart& part, Index volume,
   const TargetImprint& imprint, AssemblyComplex& complex)
@@ -249,14 +189,24 @@ void replaceCap(const std::vector<Index>& rows, const SurfacePart& part, Index v
     list.addCut({ complex.triangles(t, 0), complex.triangles(t, 1), complex.triangles(t, 2) },
       complex.faceOf[at(t)], cut);
   }
-  std::map<std::pair<Index, Index>, Index> faceOfLabel; // of face and label
+  std::vector<Index> labels; // by face and what lies over it
+  std::map<std::pair<Index, Index>, Index> labelOf;
+  for (std::size_t t = 0; t < imprint.labels.size(); ++t)
+  {
+    const Index face = complex.faceOf[at(rows[at(imprint.cap.triangleOrigin[t])])];
+    labels.push_back(
+      labelOf.try_emplace({ face, imprint.labels[t] }, static_cast<Index>(labelOf.size()))
+        .first->second);
+  }
+  const std::vector<Index> pieces =
+    connectedPieces(imprint.cap.mesh.triangles, imprint.cap.mesh.points.rows(), labels);
+  std::map<Index, Index> faceOfPiece;
   std::set<Index> kept;
   for (Index t = 0; t < imprint.cap.mesh.triangles.rows(); ++t)
   {
     const Index face = complex.faceOf[at(rows[at(imprint.cap.triangleOrigin[at(t)])])];
-    const std::pair<Index, Index> key{ face, imprint.labels[at(t)] };
-    auto known = faceOfLabel.find(key);
-    if (known == faceOfLabel.end())
+    auto known = faceOfPiece.find(pieces[at(t)]);
+    if (known == faceOfPiece.end())
     {
       Index row = face;
       if (!kept.insert(face).second)
@@ -269,7 +219,7 @@ void replaceCap(const std::vector<Index>& rows, const SurfacePart& part, Index v
           complex.volumes[at(v)].faces.push_back(row);
         }
       }
-      known = faceOfLabel.emplace(key, row).first;
+      known = faceOfPiece.emplace(pieces[at(t)], row).first;
     }
     std::array<Index, 3> corners{};
     for (std::size_t c = 0; c < 3; ++c)
@@ -282,126 +232,8 @@ void replaceCap(const std::vector<Index>& rows, const SurfacePart& part, Index v
     }
     list.add(corners, known->second);
   }
-  complex.triangles.resize(static_cast<Index>(list.corners.size()), 3);
-  for (ComplexFace& face : complex.faces)
-  {
-    face.triangles.clear();
-  }
-  for (std::size_t t = 0; t < list.corners.size(); ++t)
-  {
-    complex.triangles.row(static_cast<Index>(t)) << list.corners[t][0], list.corners[t][1],
-      list.corners[t][2];
-    complex.faces[at(list.faces[t])].triangles.push_back(static_cast<Index>(t));
-  }
-  complex.faceOf = std::move(list.faces);
-  traceCurves(complex);
+  list.moveTo(complex);
 }
-
-double distanceToChain(const Eigen::RowVector3d& place, const Points& chain)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (Index k = 1; k < chain.rows(); ++k)
-  {
-    const Eigen::RowVector3d a = chain.row(k - 1);
-    const Eigen::RowVector3d edge = chain.row(k) - a;
-    const double along = std::clamp((place - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (a + along * edge - place).norm());
-  }
-  return least;
-}
-
-/// The curves of the source cap that a border became.
-class ImageFinder
-{
-public:
-  ImageFinder(const AssemblyComplex& complex, const std::vector<Index>& sources)
-    : Complex(complex)
-  {
-    for (const Index c : innerCurves(complex, sources))
-    {
-      const Points places = placesOf(complex, complex.curves[at(c)]);
-      this->Inner.push_back({ c, places, ArcLengthChain(places) });
-    }
-  }
-
-  /// @param image of a border, on or near the source cap. @return empty where there is none.
-  std::vector<CurveUse> find(const Points& image, bool closed) const
-  {
-    const ArcLengthChain chain(image);
-    const double tolerance = FarFromImage * chain.length();
-    if (closed)
-    {
-      for (const Curve& curve : this->Inner)
-      {
-        const bool fits = this->Complex.curves[at(curve.row)].closed() &&
-          (curve.places.row(0) - image.row(0)).norm() < tolerance &&
-          this->isBeside(curve, image, tolerance);
-        if (fits)
-        {
-          const Eigen::RowVector3d quarter = chain.at(0.25 * chain.length());
-          const double length = curve.chain.length();
-          return { { curve.row,
-            (curve.chain.at(0.25 * length) - quarter).norm() >
-              (curve.chain.at(0.75 * length) - quarter).norm() } };
-        }
-      }
-      return {};
-    }
-    std::vector<CurveUse> path;
-    Eigen::RowVector3d here = image.row(0);
-    std::set<Index> used;
-    while ((here - image.row(image.rows() - 1)).norm() > tolerance)
-    {
-      const CurveUse* best = nullptr;
-      CurveUse use;
-      for (const Curve& curve : this->Inner)
-      {
-        for (const bool reversed : { false, true })
-        {
-          const Index first = reversed ? curve.places.rows() - 1 : 0;
-          if (used.count(curve.row) == 0 && (curve.places.row(first) - here).norm() < tolerance &&
-            this->isBeside(curve, image, tolerance))
-          {
-            use = { curve.row, reversed };
-            best = &use;
-          }
-        }
-      }
-      if (!best)
-      {
-        return {};
-      }
-      used.insert(use.curve);
-      path.push_back(use);
-      const std::vector<Index>& points = this->Complex.curves[at(use.curve)].points;
-      here = this->Complex.points.row(use.reversed ? points.front() : points.back());
-    }
-    return path;
-  }
-
-private:
-  struct Curve
-  {
-    Index row;
-    Points places;
-    ArcLengthChain chain;
-  };
-
-  bool isBeside(const Curve& curve, const Points& image, double tolerance) const
-  {
-    for (const double along : { 0.25, 0.5, 0.75 })
-    {
-      if (distanceToChain(curve.chain.at(along * curve.chain.length()), image) > tolerance)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  const AssemblyComplex& Complex;
-  std::vector<Curve> Inner;
-};
 
 /// What a volume's caps are, however faces are cut.
 struct CapIds
@@ -410,64 +242,158 @@ struct CapIds
   std::vector<Index> targets;
 };
 
-std::string describeCaps(const CapIds& ids)
+/// A volume with borders on its target cap that go back to its source cap.
+struct BorderedVolume
+{
+  Index volume;
+  const CapIds& ids;
+  AffineMap map;  ///< from the source to the target
+  AffineMap back; ///< the inverse
+};
+
+std::string describeBorders(const CapIds& ids)
 {
   return "the borders between " + listFaces(ids.targets) + " at its target";
 }
 
-void cutSource(
-  const SolidSurface& solid, const CapIds& ids, Index volume, double size, AssemblyComplex& complex)
+BorderedVolume borderedVolume(
+  const AssemblyComplex& complex, Index volume, const CapIds& ids, const SolidSurface& solid)
 {
-  const std::vector<Index> sources = rowsOfFaces(complex, volume, ids.sources);
-  const std::vector<Index> targets = rowsOfFaces(complex, volume, ids.targets);
   SweepLayout caps;
-  caps.sources = sources;
-  caps.targets = targets;
+  caps.sources = rowsOfFaces(complex, volume, ids.sources);
+  caps.targets = rowsOfFaces(complex, volume, ids.targets);
   const std::optional<AffineMap> map = capMapOf(complex, volume, caps, solid);
   if (!map)
   {
-    throw ImprintFailure(volume, describeCaps(ids) + " have no image on its source.");
+    throw ImprintFailure(volume, describeBorders(ids) + " have no image on its source.");
   }
-  const AffineMap back = inverse(*map);
+  return { volume, ids, *map, inverse(*map) };
+}
+
+void cutSource(const BorderedVolume& own, double size, AssemblyComplex& complex)
+{
+  const Index volume = own.volume;
+  const std::vector<Index> sources = rowsOfFaces(complex, volume, own.ids.sources);
   const std::vector<Index> sourceRows = trianglesOfFaces(complex, sources);
-  const std::vector<Index> targetRows = trianglesOfFaces(complex, targets);
+  const std::vector<Index> targetRows =
+    trianglesOfFaces(complex, rowsOfFaces(complex, volume, own.ids.targets));
   const SurfacePart source = partOfVolume(complex, volume, sourceRows);
   const SurfacePart target = partOfVolume(complex, volume, targetRows);
-  const CapMaps maps{ [&](const PointsRef& points) { return map->apply(points); },
-    [&](const PointsRef& points) { return back.apply(points); } };
+  const CapMaps maps{ [&](const PointsRef& points) { return own.map.apply(points); },
+    [&](const PointsRef& points) { return own.back.apply(points); } };
   const std::optional<TargetImprint> imprint =
     imprintTarget({ source.mesh, facesOfRows(complex, sourceRows),
                     verticesOf(complex, sources, source), {}, Near * size },
       { target.mesh, facesOfRows(complex, targetRows) }, maps, size);
   if (!imprint)
   {
-    throw ImprintFailure(volume, describeCaps(ids) + " find no way over its source.");
+    throw ImprintFailure(volume, describeBorders(own.ids) + " find no way over its source.");
   }
   replaceCap(sourceRows, source, volume, *imprint, complex);
 }
 
-std::vector<CarriedCurve> carriedCurves(const SolidSurface& solid, const CapIds& ids, Index volume,
-  const SweepLayout& layout, const AssemblyComplex& complex)
+/// A border on the target, the curves that it became, and its image.
+struct BorderImage
 {
-  const std::optional<AffineMap> map = capMapOf(complex, volume, layout, solid);
-  const AffineMap back = inverse(*map);
-  const ImageFinder finder(complex, layout.sources);
-  std::vector<CarriedCurve> carried;
-  for (const Index c : innerCurves(complex, layout.targets))
+  Index border;
+  std::vector<CurveUse> path;
+  Eigen::RowVector3d start; ///< of the image
+};
+
+/// @throw ImprintFailure where a border became no curves.
+std::vector<BorderImage> imagesOfBorders(
+  const BorderedVolume& own, double size, const AssemblyComplex& complex)
+{
+  std::vector<BorderImage> images;
+  const std::vector<Index> sources = rowsOfFaces(complex, own.volume, own.ids.sources);
+  for (const Index c : innerCurves(complex, rowsOfFaces(complex, own.volume, own.ids.targets)))
   {
     const ComplexCurve& border = complex.curves[at(c)];
-    const Points image = back.apply(placesOf(complex, border));
-    CarriedCurve curve;
-    curve.target = { c, false };
-    curve.source = finder.find(image, border.closed());
-    if (curve.source.empty())
+    const Points image = own.back.apply(placesOf(complex, border));
+    const double tolerance =
+      std::min(FarFromImage * size, FarFromShort * ArcLengthChain(image).length());
+    images.push_back(
+      { c, CurveImages(complex, sources, tolerance).find(image, border.closed()), image.row(0) });
+    if (images.back().path.empty())
     {
-      throw ImprintFailure(volume,
-        describeCaps(ids) + ", near " + describe(image.row(0)) +
+      throw ImprintFailure(own.volume,
+        describeBorders(own.ids) + ", near " + describe(image.row(0)) +
           ", cross those of its source so closely that they cannot be told apart. Move one of them "
           "in the CAD system, or sweep the volume between other caps.");
     }
-    carried.push_back(std::move(curve));
+  }
+  return images;
+}
+
+/// Ends borders of the target where the curves that they became end: where other borders of the
+/// source cross them.
+void endBordersLikeImages(const BorderedVolume& own, double size, AssemblyComplex& complex)
+{
+  std::map<std::pair<Index, Index>, std::map<double, Index>> split; // by edge and share of it
+  const std::size_t known = complex.vertices.size();
+  std::vector<Eigen::RowVector3d> added;
+  for (const BorderImage& image : imagesOfBorders(own, size, complex))
+  {
+    const ComplexCurve& border = complex.curves[at(image.border)];
+    const ArcLengthChain chain(placesOf(complex, border));
+    for (std::size_t k = 0; k < image.path.size(); ++k)
+    {
+      const Index end = firstPointOf(complex, image.path[k]);
+      const bool isStart = k == 0 &&
+        (!border.closed() || (complex.points.row(end) - image.start).norm() <= Near * size);
+      if (isStart)
+      {
+        continue;
+      }
+      const ChainPlace place = nearestOnChain(chain, own.map.apply(complex.points.row(end)));
+      const Index a = border.points[at(place.edge)];
+      const Index b = border.points[at(place.edge + 1)];
+      const double length = (complex.points.row(b) - complex.points.row(a)).norm();
+      if (std::min(place.along, 1.0 - place.along) * length <= 0.5 * Near * size)
+      {
+        complex.vertices.insert(place.along < 0.5 ? a : b);
+        continue;
+      }
+      const bool turned = a > b;
+      const Index point = complex.points.rows() + static_cast<Index>(added.size());
+      const bool isNew = split[std::minmax(a, b)]
+                           .try_emplace(turned ? 1.0 - place.along : place.along, point)
+                           .second;
+      if (isNew)
+      {
+        added.push_back(chain.at(place.length));
+        complex.vertices.insert(point);
+      }
+    }
+  }
+  if (complex.vertices.size() == known)
+  {
+    return;
+  }
+  const Index first = complex.points.rows();
+  complex.points.conservativeResize(first + static_cast<Index>(added.size()), Eigen::NoChange);
+  for (std::size_t i = 0; i < added.size(); ++i)
+  {
+    complex.points.row(first + static_cast<Index>(i)) = added[i];
+  }
+  CutEdges cut;
+  for (const auto& [edge, points] : split)
+  {
+    for (const auto& [share, point] : points)
+    {
+      cut[edge].push_back(point);
+    }
+  }
+  cutTriangles(cut, complex);
+}
+
+std::vector<CarriedCurve> carriedCurves(
+  const BorderedVolume& own, double size, const AssemblyComplex& complex)
+{
+  std::vector<CarriedCurve> carried;
+  for (BorderImage& image : imagesOfBorders(own, size, complex))
+  {
+    carried.push_back({ std::move(image.path), { image.border, false } });
   }
   return carried;
 }
@@ -500,32 +426,37 @@ void imprintTargets(const std::vector<const SolidSurface*>& solids, double size,
     ids.push_back(
       { idsOfFaces(complex, volume, layout.sources), idsOfFaces(complex, volume, layout.targets) });
   }
-  std::set<Index> cut;
+  std::vector<BorderedVolume> bordered; // from the ends of the stacks back
   for (auto v = plan.order.rbegin(); v != plan.order.rend(); ++v)
   {
-    if (needsImprint(complex, rowsOfFaces(complex, *v, ids[at(*v)].targets)))
+    const CapIds& own = ids[at(*v)];
+    if (needsImprint(complex, rowsOfFaces(complex, *v, own.targets)))
     {
-      cutSource(*solids[at(*v)], ids[at(*v)], *v, size, complex);
-      cut.insert(*v);
+      bordered.push_back(borderedVolume(complex, *v, own, *solids[at(*v)]));
+      cutSource(bordered.back(), size, complex);
     }
   }
-  if (cut.empty())
+  if (bordered.empty())
   {
     return;
+  }
+  // Where a border ends goes on from stack to stack, as the quads will.
+  for (auto own = bordered.rbegin(); own != bordered.rend(); ++own)
+  {
+    endBordersLikeImages(*own, size, complex);
   }
   for (std::size_t v = 0; v < plan.sweeps.size(); ++v)
   {
     const Index row = static_cast<Index>(v);
-    if (ids[v].sources.empty())
+    if (!ids[v].sources.empty()) // else it is left out
     {
-      continue; // left out
+      plan.sweeps[v] = layOutSides(complex, row, rowsOfFaces(complex, row, ids[v].sources),
+        rowsOfFaces(complex, row, ids[v].targets));
     }
-    plan.sweeps[v] = layOutSides(complex, row, rowsOfFaces(complex, row, ids[v].sources),
-      rowsOfFaces(complex, row, ids[v].targets));
-    if (cut.count(row) > 0)
-    {
-      plan.sweeps[v].carried = carriedCurves(*solids[v], ids[v], row, plan.sweeps[v], complex);
-    }
+  }
+  for (const BorderedVolume& own : bordered)
+  {
+    plan.sweeps[at(own.volume)].carried = carriedCurves(own, size, complex);
   }
 }
 }

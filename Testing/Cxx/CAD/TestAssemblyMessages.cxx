@@ -3,7 +3,6 @@
 #include "CADMeshes.h"
 
 #include <BRepPrimAPI_MakeCone.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <TopoDS_Shape.hxx>
 #include <gp_Ax2.hxx>
 
@@ -68,24 +67,6 @@ TEST(AssemblySweep, AVolumeThatCannotBeSweptIsNamedWithItsFaces)
   // The other one is there.
   EXPECT_EQ(volumesIn(swept.grid()), std::set<int>{ 1 });
   EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), 1000.0, 1e-6);
-}
-
-// The images of two round pads cross: the plate is left out, and what lies apart is there.
-TEST(AssemblySweep, BordersWithoutAPlaceLeaveOutOneVolumeAlone)
-{
-  const auto disk = [](double x, double y, double z) {
-    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, z), gp_Dir(0, 0, 1)), 0.4, 1.0).Shape();
-  };
-  Swept swept(fileOf("crossing_pads",
-                { block(0, 0, 0, 4, 4, 1), disk(1, 1, 1), disk(1.3, 1.3, -1),
-                  block(9, 0, 0, 1, 1, 1), block(9, 0, 1, 1, 1, 1) }),
-    0.2);
-  EXPECT_TRUE(swept.events.errors.empty());
-  const std::set<int> volumes = volumesIn(swept.grid());
-  EXPECT_EQ(volumes.count(4) + volumes.count(5), 2U);
-  EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
-  // Each volume that is missing is named.
-  EXPECT_EQ(swept.events.warnings.size(), 5U - volumes.size());
 }
 
 //------------------------------------------------------------------------------

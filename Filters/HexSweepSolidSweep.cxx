@@ -153,7 +153,7 @@ std::vector<std::string> warningsOf(const SizedQuads& sized, const SolidCage& ca
   {
     warnings.push_back("CAD edges of the sides (" + listFaces(cage.freedSides) +
       ") are no edges of the mesh where they run from cap to cap: hexahedra along them would be "
-      "inverted.");
+      "inverted or poor.");
   }
   warnings.push_back(describeMismatch(
     cage.projection.sourceMismatch, "source cap of the solid", "boundary of the source quads"));

@@ -4,6 +4,8 @@
 #include "Core/Hexahedra/HexQuality.h"
 #include "Core/Interior/SweptHexes.h"
 
+#include <algorithm>
+
 namespace hexsweep
 {
 std::vector<Index> uncertifiedHexes(const SweepCage& cage, const PointsRef& points,
@@ -20,5 +22,11 @@ std::vector<Index> uncertifiedHexes(const SweepCage& cage, const PointsRef& poin
     }
   }
   return bad;
+}
+
+double leastMerit(const SweepInterior& interior)
+{
+  const HexQualitySummary summary = summarize(interior.qualities);
+  return summary.notCertified > 0 ? 0.0 : std::max(0.0, summary.minScaledJacobian);
 }
 }

@@ -6,7 +6,7 @@
 #ifndef hexsweep_InteriorJudgement_h
 #define hexsweep_InteriorJudgement_h
 
-#include "Core/Interior/SweepCage.h"
+#include "Core/Interior/SweepInterior.h"
 
 namespace hexsweep
 {
@@ -18,6 +18,10 @@ namespace hexsweep
  */
 std::vector<Index> uncertifiedHexes(const SweepCage& cage, const PointsRef& points,
   const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// The least scaled Jacobian of an interior whose qualities were kept; 0 where a hexahedron is not
+/// certified.
+double leastMerit(const SweepInterior& interior);
 }
 
 #endif

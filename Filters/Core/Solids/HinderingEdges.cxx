@@ -4,6 +4,8 @@
 #include "Core/Common/Errors.h"
 #include "Core/Interior/BlendInterior.h"
 #include "Core/Interior/InteriorJudgement.h"
+#include "Core/Interior/InteriorStarts.h"
+#include "Core/Interior/SectionInterior.h"
 
 #include <algorithm>
 
@@ -13,6 +15,10 @@ namespace
 {
 /// Of the bad hexahedra with CAD edges: no more are left without those that are given up.
 constexpr double LeftWithout = 0.5;
+
+/// Where the least scaled Jacobian is lower when all is done, CAD edges are given up for more.
+constexpr double PoorMesh = 0.25;
+constexpr double WorthAnEdge = 1.5;
 
 /// A cage as blendInterior() fills it, before any untangling.
 struct CageForecast
@@ -56,6 +62,29 @@ CageForecast forecastCage(const SolidCage& cage, std::size_t sides, const Parall
   return forecast;
 }
 
+/// The least scaled Jacobian when the cage is filled, untangled and polished; 0 where hexahedra are
+/// not certified.
+double leastInTheEnd(
+  const SolidCage& cage, const ParallelFor& parallelFor, const Progress& progress)
+{
+  InteriorOptions options;
+  options.keepQualities = true;
+  options.parallelFor = parallelFor;
+  const SweepInterior interior = sweepInterior(cage,
+    interiorStarts(InteriorKind::Automatic, cage.isRuled, windingOf(cage.boundary)), options,
+    progress);
+  return leastMerit(interior);
+}
+
+/// Whether a cage without CAD edges comes out so much better that these are worth less.
+bool isWorthItsEdges(const SolidCage& freed, const SolidCage& kept, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  const double with = leastInTheEnd(kept, parallelFor, progressPart(progress, 0.0, 0.5));
+  return with < PoorMesh &&
+    leastInTheEnd(freed, parallelFor, progressPart(progress, 0.5, 1.0)) > WorthAnEdge * with;
+}
+
 std::vector<Index> facesOfSides(const SolidCageInput& input)
 {
   std::vector<Index> triangles;
@@ -89,12 +118,16 @@ SolidCage makeUnhinderedCage(
   input.freeSides = with.hindered;
   try
   {
-    SolidCage freed = makeSolidCage(input, progressPart(progress, 0.6, 0.9));
+    SolidCage freed = makeSolidCage(input, progressPart(progress, 0.6, 0.7));
+    if (freed.linking.keptEdges >= kept.linking.keptEdges)
+    {
+      return kept;
+    }
     const CageForecast without =
-      forecastCage(freed, sides, parallelFor, progressPart(progress, 0.9, 1.0));
-    if (freed.linking.keptEdges < kept.linking.keptEdges &&
-      static_cast<double>(without.notCertified) <
-        LeftWithout * static_cast<double>(with.notCertified))
+      forecastCage(freed, sides, parallelFor, progressPart(progress, 0.7, 0.75));
+    const bool isClear = static_cast<double>(without.notCertified) <
+      LeftWithout * static_cast<double>(with.notCertified);
+    if (isClear || isWorthItsEdges(freed, kept, parallelFor, progressPart(progress, 0.75, 1.0)))
     {
       freed.freedSides = facesOfSides(input);
       return freed;

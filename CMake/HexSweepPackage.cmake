@@ -19,7 +19,9 @@ configure_package_config_file(CMake/HexSweepConfig.cmake.in "${hexsweep_config}"
   INSTALL_DESTINATION "${hexsweep_cmake_destination}"
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file("${hexsweep_config_version}" COMPATIBILITY SameMinorVersion)
-install(FILES "${hexsweep_config}" "${hexsweep_config_version}"
+configure_file(CMake/HexSweepVTKPython.cmake
+  "${CMAKE_BINARY_DIR}/${hexsweep_cmake_destination}/HexSweepVTKPython.cmake" COPYONLY)
+install(FILES "${hexsweep_config}" "${hexsweep_config_version}" CMake/HexSweepVTKPython.cmake
   DESTINATION "${hexsweep_cmake_destination}"
   COMPONENT development)
 install(FILES LICENSE THIRD_PARTY_LICENSES.md DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/HexSweep"

@@ -19,13 +19,16 @@ job_count() {
   echo "$jobs"
 }
 
-# configure_and_build TARGET...: from the release preset, into $build_dir.
+# configure_and_build TARGET...: from the release preset, into $build_dir. HEXSWEEP_CMAKE_OPTIONS are
+# options of CMake beside it, e.g. -DHEXSWEEP_WERROR=ON.
 configure_and_build() {
   local jobs
   jobs=$(job_count)
   say "configure: $build_dir"
   # ParaView's Python modules belong to the system's interpreter, whatever else is on PATH.
-  (cd "$source_dir" && cmake --preset release -B "$build_dir" -DPython3_EXECUTABLE=/usr/bin/python3)
+  # shellcheck disable=SC2086 # several words
+  (cd "$source_dir" &&
+    cmake --preset release -B "$build_dir" -DPython3_EXECUTABLE=/usr/bin/python3 ${HEXSWEEP_CMAKE_OPTIONS:-})
   say "build: $* with $jobs job(s)"
   cmake --build "$build_dir" --target "$@" -j "$jobs"
 }

@@ -11,20 +11,13 @@
 
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/debian_root.sh"
 
 if (($# < 1 || $# > 3)); then
   sed -n 's/^# \{0,1\}//; 3,12p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
-root=$1
-mirror=${2:-$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Origin: Debian' | head -n 1)}
-suite=${3:-$(. /etc/os-release && echo "$VERSION_CODENAME")}
-
-if [[ ! -x $root/usr/bin/apt-get ]]; then
-  say "debootstrap: $suite from $mirror into $root"
-  debootstrap --variant=minbase "$suite" "$root" "$mirror"
-fi
-inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
+make_debian_root "$1" "${3:-$(. /etc/os-release && echo "$VERSION_CODENAME")}" "${2:-$(debian_mirror)}"
 say "packages"
 inside apt-get update -q
 inside apt-get install -q -y --no-install-recommends \
@@ -35,11 +28,7 @@ if inside find / -xdev -name 'VTKConfig.cmake' -o -xdev -iname 'vtk-config.cmake
 fi
 
 say "build, test, install"
-source_inside=/srv/hexsweep
-rm -rf "${root:?}$source_inside/source"
-mkdir -p "$root$source_inside/source"
-(cd "$source_dir" && git ls-files -z | tar --create --null --files-from=- --ignore-failed-read) |
-  tar --extract --directory="$root$source_inside/source"
+copy_tree
 inside cmake -S $source_inside/source -B $source_inside/build -G Ninja \
   -DCMAKE_BUILD_TYPE=Release -DHEXSWEEP_CORE_ONLY=ON -DHEXSWEEP_WERROR=ON
 inside cmake --build $source_inside/build -j "$(job_count)"

@@ -3,7 +3,7 @@
 #
 # Utilities/install-dependencies.sh [package...]
 #
-# Installs the Debian 12 packages that HexSweep needs to be built, run and tested, and those that are named.
+# Installs the packages of Debian 12 or 13 that HexSweep needs to be built, run and tested, and those that are named.
 # Asks dpkg first: when all is there it changes nothing and needs neither network nor root.
 
 set -euo pipefail
@@ -11,22 +11,29 @@ set -euo pipefail
 packages=(
   # the tools
   g++ cmake ninja-build
-  # ParaView 5.11 with its VTK, its Python and what its CMake files ask for
+  # ParaView with its VTK, its Python and what its CMake files ask for
   paraview-dev python3-paraview python3-dev
   libdouble-conversion-dev libglew-dev libx11-dev
-  qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5
   # what the rendering and image modules of that VTK name as their targets
   libfreetype-dev libpng-dev libjpeg-dev libtiff-dev liblz4-dev liblzma-dev libutfcpp-dev
   # the numerics and their tests
   libeigen3-dev libopenmesh-dev coinor-libcbc-dev libgtest-dev
-  # the CAD kernel, and TBB, which its CMake files name
-  libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev
-  # programs and packages that read what is written, for tests: CalculiX, gmsh, meshio
-  calculix-ccx gmsh python3-meshio python3-h5py
+  # the CAD kernel, and TBB and fontconfig, which its CMake files name
+  libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev libfontconfig-dev
+  # programs and packages that read what is written, for tests: gmsh, meshio
+  gmsh python3-meshio python3-h5py
   # a display without a screen, and mpirun for the parallel test
   xvfb xauth openmpi-bin libopenmpi-dev
+  # what packages are made with
+  dpkg-dev file
   "$@"
 )
+# Debian 12 has ParaView 5.11 on Qt 5, and CalculiX, which tests run where it is; 13 has 5.13 on Qt 6, no CalculiX.
+if [[ $(. /etc/os-release 2>/dev/null && echo "${VERSION_ID:-}") == 12 ]]; then
+  packages+=(qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 calculix-ccx)
+else
+  packages+=(qt6-base-dev qt6-tools-dev qt6-svg-dev qt6-5compat-dev)
+fi
 
 say() { printf '== %s\n' "$*"; }
 

@@ -41,7 +41,7 @@ std::vector<double> startsToTry(const ClosedPolygon& source, const ClosedPolygon
   std::vector<Index> corners = loopCorners(target);
   if (corners.empty() || static_cast<Index>(corners.size()) * nodes > MostOfOneKind)
   {
-    corners = { 0 };
+    corners.assign(1, 0);
   }
   for (const Index corner : corners)
   {

@@ -8,7 +8,7 @@ import sys
 import tempfile
 
 import hexsweep
-from hexsweep.commandline.assembly import gaps
+from hexsweep.sweeps.assembly import gaps
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm

@@ -19,12 +19,12 @@ else:
     os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
 
 from hexsweep import vtkOneToOneSweep  # noqa: E402
-from hexsweep.commandline.messages import VtkMessages  # noqa: E402
-from hexsweep.commandline.output import NewFile  # noqa: E402
-from hexsweep.commandline.reading import read  # noqa: E402
-from hexsweep.commandline.writing import Choices, write  # noqa: E402
+from hexsweep.commandline.messages import vtk_messages_said  # noqa: E402
+from hexsweep.files.output import NewFile  # noqa: E402
+from hexsweep.files.reading import read  # noqa: E402
+from hexsweep.files.writing import Choices, write  # noqa: E402
 
-messages = VtkMessages()
+messages = vtk_messages_said()
 times = {"modules": time.process_time()}
 with open("/proc/self/statm", encoding="ascii") as statm:
     memory_modules = int(statm.read().split()[1]) * os.sysconf("SC_PAGESIZE") / 2.0**20

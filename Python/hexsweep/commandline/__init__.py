@@ -13,9 +13,10 @@ Exit status: 0 certified (or listed), 2 meshed but not certified, 1 refused, fai
 import os
 import sys
 
+from ..errors import SweepError
+from ..process import Interrupted, heard_signals
 from . import arguments, faces, meshing, validity
-from .messages import Refusal, say
-from .process import Interrupted, heard_signals
+from .messages import say
 
 
 _COMMANDS = {"faces": faces.run, "check": validity.run, "mesh": meshing.run}
@@ -27,7 +28,7 @@ def main(words=None):
         with heard_signals():
             options = arguments.parse(sys.argv[1:] if words is None else words)
             status, text = _COMMANDS[options.command](options)
-    except Refusal as refusal:
+    except SweepError as refusal:
         if str(refusal):
             say("error", str(refusal))
         return 1

@@ -4,13 +4,13 @@
 import argparse
 
 from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from .. import __version__, vtkCageHexInterior
-from .formats import EXODUS, WRITTEN, extension_of
-from .mesh_reading import READ
-from .messages import Refusal
-from .reading import READERS
+from .. import __version__
+from ..errors import SweepError
+from ..files.formats import EXODUS, WRITTEN
+from ..files.mesh_reading import READ
+from ..files.reading import READERS
+from ..sweeps import settings
 
 _DESCRIPTION = f"""Meshes a solid with hexahedra by sweeping.
 
@@ -29,42 +29,18 @@ _EPILOG = """Exit status: 0 certified, 2 meshed but not certified, 1 refused, fa
 _EPILOG_CHECKING = """Exit status: 0 all solid cells are certified hexahedra, 2 some are not, 1 refused, failed or
 wrong usage."""
 
-# Option, property of the filter, type, help. What is not given is the filter's own default.
-_SETTINGS = (
-    ("--size", "Size", float, "edge length of the hexahedra (chosen)"),
-    ("--layers", "NumberOfLayers", int, "number of layers"),
-    ("--layer-size", "LayerSize", float, "or their thickness"),
-    ("--growth", "GrowthRatio", float, "thickness of a layer over the last"),
-    ("--quad-size", "QuadSize", float, "edge length of quads made"),
-    ("--feature-angle", "FeatureAngle", float, "without face ids: degrees between two faces"),
-    ("--draft", "DraftAngle", float, "several caps: degrees that sides may lean"),
-    ("--imprint-tolerance", "ImprintTolerance", float,
-     "several caps: distance over size up to which their curves are one"),
-    ("--tolerance", "MatchTolerance", float, "distance over edge length up to which points are one"),
-)
 # These tell faces apart, so they are for listing too.
-_OF_FACES = ("FeatureAngle", "MatchTolerance")
-# Only sweeps between several caps have these.
-OF_SEVERAL_CAPS = ("DraftAngle", "ImprintTolerance")
-
-_METHODS = {
-    name.lower().replace("_", "-"): getattr(vtkCageHexInterior, name)
-    for name in (
-        "AUTOMATIC", "BLEND", "HARMONIC_COORDINATES", "MEAN_VALUE_COORDINATES", "GREEN_COORDINATES",
-        "LAYER_MARCH", "AFFINE_BOUNDARY_ERROR",
-    )
-}
-_PRECISIONS = {"single": vtkAlgorithm.SINGLE_PRECISION, "double": vtkAlgorithm.DOUBLE_PRECISION}
+_OF_FACES = ("feature_angle", "tolerance")
 
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message):
-        raise Refusal(f"{message}. hexsweep --help tells what there is.")
+        raise SweepError(f"{message}. hexsweep --help tells what there is.")
 
 
 def parse(words):
     """@return the options: `command`, and of meshing `settings`, those of the filter by property.
-    @throw Refusal on wrong usage; SystemExit after --help and --version."""
+    @throw SweepError on wrong usage; SystemExit after --help and --version."""
     first = words[0] if words else ""
     command = first if first in ("faces", "check") else "mesh"
     parser = {"faces": _faces_parser, "check": _check_parser, "mesh": _mesh_parser}[command]()
@@ -72,52 +48,27 @@ def parse(words):
     options.command = command
     if command == "mesh" and not (options.output or options.source):
         options.command = "faces"
-    if getattr(options, "threads", None) is not None and options.threads < 1:
-        parser.error(f"--threads {options.threads}: give 1 or more, or leave it out")
     if command != "check":
         options.settings = _settings(options)
     if options.command == "mesh":
         _check_output(options, parser)
-        _check_way(options, parser)
     return options
 
 
-def is_between_two(options):
-    """Whether words are given that only a sweep between two caps has; without them each body is swept
-    between two caps where it has two, else between all of its caps."""
-    given = (options.source, options.target, options.quads, options.positions, options.both_ends)
-    properties = ("Method", "QuadSize", "GrowthRatio")
-    return any(given) or any(name in options.settings for name in properties)
-
-
-def _check_way(options, parser):
-    several = options.direction or any(name in options.settings for name in OF_SEVERAL_CAPS)
-    if several and is_between_two(options):
-        parser.error(
-            "--direction, --draft and --imprint-tolerance are for sweeps between several caps; --source, "
-            "--target, --quads, --quad-size, --positions, --growth, --both-ends and --method are for those "
-            "between two: give some of the ones or of the others"
-        )
-
-
 def _settings(options):
-    settings = {
-        name: getattr(options, name) for _, name, _, _ in _SETTINGS if getattr(options, name, None) is not None
+    """Of the filter that meshes, or of those that list, which have fewer."""
+    if options.command == "mesh":
+        return settings.of_filter(options)
+    return {
+        name: getattr(options, keyword)
+        for keyword, name, _, _ in settings.SETTINGS
+        if keyword in _OF_FACES and getattr(options, keyword) is not None
     }
-    if options.command == "faces":
-        return {name: value for name, value in settings.items() if name in _OF_FACES}
-    if options.method:
-        settings["Method"] = _METHODS[options.method]
-    if options.precision:
-        settings["OutputPointsPrecision"] = _PRECISIONS[options.precision]
-    return settings
 
 
 def _check_output(options, parser):
     if not options.output:
         parser.error("name the file to write: -o part.vtu")
-    elif extension_of(options.output) not in WRITTEN:
-        parser.error(f"{options.output}: only {', '.join(WRITTEN)} files are written")
 
 
 def _new_parser(name, description, epilog):
@@ -146,7 +97,7 @@ def _check_parser():
 
 def _mesh_parser():
     parser = _new_parser("hexsweep", _DESCRIPTION, _EPILOG)
-    _add_solid(parser, [name for _, name, _, _ in _SETTINGS])
+    _add_solid(parser, [keyword for keyword, *_ in settings.SETTINGS])
     parser.add_argument(
         "--threads", type=int, metavar="N", help="how many to use (VTK's choice); the mesh is the same"
     )
@@ -171,23 +122,23 @@ def _mesh_parser():
         "--positions", type=float, nargs="+", metavar="SHARE", help="of the layers, each in (0, 1)"
     )
     parser.add_argument(
-        "--method", choices=_METHODS, help="how the inside is filled (automatic); for comparison"
+        "--method", choices=settings.METHODS, help="how the inside is filled (automatic); for comparison"
     )
-    parser.add_argument("--precision", choices=_PRECISIONS, help="of coordinates (double)")
+    parser.add_argument("--precision", choices=settings.PRECISIONS, help="of coordinates (double)")
     _add_formats(parser)
     _add_reports(parser)
     return parser
 
 
-def _add_solid(parser, properties):
+def _add_solid(parser, keywords):
     parser.add_argument("solid", help="closed surface of the solid, or a volume mesh")
     parser.add_argument(
         "--faces", metavar="ARRAY",
         help="cell array of face ids (FaceId, then CellEntityIds, then faces by angle)",
     )
-    for option, name, kind, text in _SETTINGS:
-        if name in properties:
-            parser.add_argument(option, dest=name, type=kind, metavar=kind.__name__, help=text)
+    for keyword, _, kind, text in settings.SETTINGS:
+        if keyword in keywords:
+            parser.add_argument(settings.option(keyword), type=kind, metavar=kind.__name__, help=text)
 
 
 def _add_formats(parser):

@@ -4,22 +4,23 @@
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
 from .. import vtkSolidFaces, vtkSweepCandidates
-from .messages import Refusal, VtkMessages
-from .process import in_child
-from .reading import check, read
+from ..errors import SweepError
+from ..files.reading import check, read
+from ..process import in_child
+from ..sweeps.job import choose_face_ids
+from .messages import vtk_messages_said
 
-_CELLS = 0, 0, 0, 1  # of SetInputArrayToProcess: a cell array
 _MOST_CANDIDATES = 20
 
 
 def run(options):
-    """@return exit status and what to print. @throw Refusal."""
+    """@return exit status and what to print. @throw SweepError."""
     check(options.solid)
     return 0, in_child(lambda: _list(options))
 
 
 def _list(options):
-    messages = VtkMessages()
+    messages = vtk_messages_said()
     solid = read(options.solid, messages)
     faces = _table(vtkSolidFaces(), solid, options)
     candidates = _table(vtkSweepCandidates(), solid, options)
@@ -33,14 +34,8 @@ def _table(algorithm, solid, options):
         getattr(algorithm, "Set" + name)(value)
     algorithm.Update()
     if algorithm.GetErrorCode() != 0:
-        raise Refusal()
+        raise SweepError()
     return algorithm.GetOutput()
-
-
-def choose_face_ids(algorithm, options):
-    """@param options: with `faces`, the name of an array or nothing."""
-    if options.faces:
-        algorithm.SetInputArrayToProcess(*_CELLS, options.faces)
 
 
 def _body_lines(solid, table):

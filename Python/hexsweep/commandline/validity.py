@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether the hexahedra of a file are valid, whoever made them."""
 
-from .. import vtkHexValidity
-from . import mesh_reading, picture, report, threads
-from .messages import Refusal, VtkMessages
-from .output import new_files
-from .process import in_child
+from ..files import mesh_reading, picture, report
+from ..files.output import new_files
+from ..process import in_child
+from ..sweeps import threads
+from ..sweeps.quality import judge
+from .messages import vtk_messages_said
 from .progress import Bar
-from .quality import Quality
 
 
 def run(options):
-    """@return exit status and what to print. @throw Refusal."""
+    """@return exit status and what to print. @throw SweepError."""
     mesh_reading.check(options.mesh)
     with new_files([options.mesh], json=options.json, picture=options.picture) as new:
         if options.picture:
@@ -23,26 +23,15 @@ def run(options):
 
 def _judge(options, new):
     """@return whether all solid cells are certified hexahedra, and lines about them."""
-    if options.threads:
+    if options.threads is not None:
         threads.use(options.threads)
     bar = Bar()
-    messages = VtkMessages(bar)
-    grid, others = mesh_reading.read_mesh(options.mesh, messages)
-    validity = bar.follow(vtkHexValidity())
-    validity.SetInputData(grid)
-    validity.Update()
+    grid, others = mesh_reading.read_mesh(options.mesh, vtk_messages_said(bar))
+    quality = judge(grid, others, bar.follow)
     bar.erase()
-    if validity.GetErrorCode() != 0:
-        raise Refusal()  # it has said why
-    judged = validity.GetOutputDataObject(0)
-    quality = Quality(judged)
-    certified = quality.is_certified() and others == 0
-    lines = [f"{options.mesh}: {quality.line()}", *quality.table()]
-    if others:
-        lines.append(f"Not judged: {others} other cells with a volume, which are no hexahedra.")
     if options.json:
-        about = {"input": options.mesh, "other_solid_cells": others}
-        report.write(new.paths["json"], judged, quality, certified, about)
+        about = {"input": options.mesh, "other_solid_cells": quality.others}
+        report.write(new.paths["json"], quality.grid, quality, quality.certified, about)
     if options.picture:
-        picture.draw(judged, new.paths["picture"])
-    return certified, "\n".join(lines)
+        picture.draw(quality.grid, new.paths["picture"])
+    return quality.certified, f"{options.mesh}: {quality}"

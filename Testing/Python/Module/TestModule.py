@@ -64,7 +64,19 @@ def test_other_vtk_is_refused():
     subprocess.run([sys.executable, "-c", script], check=True)
 
 
+def test_python_without_vtk_is_told():
+    """As a Python of one's own that has none: -S leaves the system's packages out."""
+    done = subprocess.run(
+        [sys.executable, "-S", "-c", "import hexsweep"], check=False, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True,
+    )
+    last = done.stdout.strip().splitlines()[-1]
+    assert done.returncode == 1 and last.startswith("ImportError: hexsweep needs"), done.stdout
+    assert "there is no module vtkmodules in" in last and "python3-paraview" in last, last
+
+
 if __name__ == "__main__":
     test_filter_runs()
     test_failure_is_one_message()
     test_other_vtk_is_refused()
+    test_python_without_vtk_is_told()

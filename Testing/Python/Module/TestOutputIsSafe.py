@@ -100,7 +100,7 @@ def test_file_size_limit(folder):
 
 def test_damage_is_seen(folder):
     """What a full disk can leave of a .vtu file: a part of it, or blocks of zeros."""
-    from hexsweep.commandline.checking import xml_damage
+    from hexsweep.files.checking import xml_damage
 
     path = os.path.join(folder, "whole.vtu")
     assert run(SOLID, *COARSE, "-o", path).returncode == 0

@@ -5,8 +5,8 @@ import os
 import types
 
 from command_line import COARSE, SOLID, run, temporary_folder
-from hexsweep.commandline import threads
-from hexsweep.commandline.messages import Refusal
+from hexsweep.sweeps import threads
+from hexsweep.errors import SweepError
 from vtkmodules import vtkCommonCore
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
@@ -61,7 +61,7 @@ def test_refused_without_threads():
         try:
             threads.use(1)
             threads.use(2)
-        except Refusal as refusal:
+        except SweepError as refusal:
             assert str(refusal).startswith("--threads 2: this VTK was built without threads"), refusal
         else:
             raise AssertionError("not refused")

@@ -4,7 +4,7 @@
 import importlib.util
 import os
 
-from .messages import Refusal
+from ..errors import SweepError
 
 EXODUS = (".ex2", ".exo", ".e")
 ABAQUS = (".inp",)
@@ -27,13 +27,13 @@ def extension_of(file_name):
 
 
 def check_meshio(file_name):
-    """@throw Refusal where meshio, or what it needs for this file, is not installed."""
+    """@throw SweepError where meshio, or what it needs for this file, is not installed."""
     needed = [("meshio", "python3-meshio")]
     if extension_of(file_name) in _MODULES:
         needed.append(_MODULES[extension_of(file_name)])
     for module, package in needed:
         if importlib.util.find_spec(module) is None:
-            raise Refusal(
+            raise SweepError(
                 f"{file_name}: the Python package {module} is needed for such files "
                 f"(Debian: {package})."
             )

@@ -3,29 +3,29 @@
 
 import os
 
+from ..errors import SweepError
+from ..process import Died, in_child
 from .formats import extension_of
-from .messages import Refusal
-from .process import Died, in_child
 
 _SIZE = 1600, 1200
 _INK = 0.1, 0.1, 0.1
 
 
 def check(file_name):
-    """@throw Refusal where no picture can be made: without a display VTK ends the process."""
+    """@throw SweepError where no picture can be made: without a display VTK ends the process."""
     if extension_of(file_name) != ".png":
-        raise Refusal(f"{file_name}: only .png pictures are written.")
+        raise SweepError(f"{file_name}: only .png pictures are written.")
     try:
         in_child(_render_nothing)
-    except (Died, Refusal):
-        raise Refusal(
+    except (Died, SweepError):
+        raise SweepError(
             f"{file_name}: a picture needs a display or EGL, and there is none "
             "(set DISPLAY, call xvfb-run hexsweep, or leave --picture out)."
         ) from None
 
 
 def draw(grid, path):
-    """In a process of its own, as check(). @throw Refusal."""
+    """In a process of its own, as check(). @throw SweepError."""
     in_child(lambda: _draw(grid, path))
 
 
@@ -59,7 +59,7 @@ def _draw(grid, path):
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
     if writer.GetErrorCode() != 0:
-        raise Refusal(f"{path}: the picture cannot be written.")
+        raise SweepError(f"{path}: the picture cannot be written.")
     return True
 
 

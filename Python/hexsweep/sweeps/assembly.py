@@ -9,7 +9,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 from .. import __version__, vtkAssemblySweep
-from .messages import Refusal
+from ..errors import SweepError
+from .settings import name_of
 
 # Options of a single sweep that mean nothing, or something else, for an assembly.
 _SINGLE = {
@@ -72,12 +73,12 @@ def _distance(points_of, surface):
 
 
 def check(options):
-    """@throw Refusal where options and an assembly do not go together."""
+    """@throw SweepError where options and an assembly do not go together."""
     given = [word for name, word in _SINGLE.items() if getattr(options, name)]
     given += [word for name, word in _SINGLE_SETTINGS.items() if name in options.settings]
     if given:
-        raise Refusal(
-            f"{given[0]}: the bodies of {options.solid} touch and get one mesh, for which it cannot be given. "
+        raise SweepError(
+            f"{given[0]}: the bodies of {name_of(options.solid)} touch and get one mesh, for which it cannot be given. "
             "With --separate each body is meshed by itself."
         )
 
@@ -86,7 +87,7 @@ class Assembly:
     """vtkAssemblySweep with both outputs on ports, as the writers ask for them."""
 
     def __init__(self, data, options, follow):
-        """@param follow: shows the progress of an algorithm. @throw Refusal as check(), and for a plan that is none."""
+        """@param follow: shows the progress of an algorithm. @throw SweepError as check(), and for a plan that is none."""
         check(options)
         self.filter = follow(vtkAssemblySweep())
         self.filter.SetInputDataObject(data)
@@ -161,7 +162,7 @@ class Assembly:
                 if "layers" in volume:
                     self.filter.AddVolumeLayers(number, int(volume["layers"]))
         except (TypeError, ValueError, KeyError, AttributeError) as error:
-            raise Refusal(
+            raise SweepError(
                 f"{self._plan}: is no plan: {error!r}. Each volume needs its id; source and target are lists of "
                 "face ids, layers a number."
             ) from None
@@ -172,9 +173,9 @@ def _read_plan(path):
         with open(path, encoding="utf-8") as file:
             plan = json.load(file)
     except (OSError, ValueError) as error:
-        raise Refusal(f"{path}: cannot be read as a plan: {error}.") from None
+        raise SweepError(f"{path}: cannot be read as a plan: {error}.") from None
     if not isinstance(plan, dict):
-        raise Refusal(f"{path}: is no plan. Delete it, and it will be written.")
+        raise SweepError(f"{path}: is no plan. Delete it, and it will be written.")
     return plan
 
 
@@ -192,5 +193,5 @@ def _owner(owners, face):
     volumes = owners.get(face, [])
     if len(volumes) != 1:
         why = "two bodies have it: use --plan" if volumes else "no body has it"
-        raise Refusal(f"face {face} cannot be named as a cap: {why}.")
+        raise SweepError(f"face {face} cannot be named as a cap: {why}.")
     return volumes[0]

@@ -7,7 +7,7 @@ import secrets
 import shutil
 import stat
 
-from .messages import Refusal
+from ..errors import SweepError
 
 # What must be free beyond the file once it is written: more than a library holds back at its end.
 _SLACK = 1 << 16
@@ -21,7 +21,7 @@ class NewFiles:
         self.paths = {use: file.path for use, file in files.items()}
 
     def put_in_place(self):
-        """@throw Refusal."""
+        """@throw SweepError."""
         for use, file in self.files.items():
             if use != "mesh":  # whoever wrote the mesh has done so
                 file.make_sure()
@@ -31,13 +31,13 @@ class NewFiles:
 @contextlib.contextmanager
 def new_files(inputs, **names):
     """NewFiles for the names that are given, without one for others.
-    @throw Refusal as NewFile, and where two would be the same file."""
+    @throw SweepError as NewFile, and where two would be the same file."""
     names = {use: name for use, name in names.items() if name}
     places = {}
     for name in names.values():
         other = places.setdefault(os.path.realpath(name), name)
         if other is not name:
-            raise Refusal(f"{name}: is the same file as the output {other}. Name another one.")
+            raise SweepError(f"{name}: is the same file as the output {other}. Name another one.")
     with contextlib.ExitStack() as stack:
         yield NewFiles(
             {use: stack.enter_context(NewFile(name, inputs)) for use, name in names.items()}
@@ -47,7 +47,7 @@ def new_files(inputs, **names):
 class NewFile:
     """A file beside the one that it is to replace; leaves nothing where it was not put in place.
 
-    @throw Refusal before any work where the output cannot be written or would be one of the inputs.
+    @throw SweepError before any work where the output cannot be written or would be one of the inputs.
     """
 
     def __init__(self, name, inputs):
@@ -69,7 +69,7 @@ class NewFile:
         except OSError as error:
             self.__exit__()
             why = f"{self.folder}: {error.strerror}"
-            raise Refusal(f"{self.name}: cannot be written: {why}.") from None
+            raise SweepError(f"{self.name}: cannot be written: {why}.") from None
         except BaseException:
             self.__exit__()
             raise
@@ -90,7 +90,7 @@ class NewFile:
             return False
 
     def make_sure(self):
-        """Brings the file to the disk. @throw Refusal where there is none or no room for it."""
+        """Brings the file to the disk. @throw SweepError where there is none or no room for it."""
         try:
             with open(self.path, "r+b") as file:
                 size = os.fstat(file.fileno()).st_size
@@ -106,7 +106,7 @@ class NewFile:
             raise self.failure("the file is empty")
 
     def put_in_place(self):
-        """@throw Refusal."""
+        """@throw SweepError."""
         try:
             os.chmod(self.path, self._mode)
             os.replace(self.path, self._place)
@@ -117,35 +117,35 @@ class NewFile:
             raise self.failure(error.strerror) from None
 
     def failure(self, why):
-        """@return a Refusal that tells what is left on the disk."""
+        """@return a SweepError that tells what is left on the disk."""
         try:
             free = f" ({shutil.disk_usage(self.folder).free / 1e6:.1f} MB are free there)"
         except OSError:
             free = ""
         kept = " The old file is as it was." if os.path.lexists(self._place) else ""
-        return Refusal(f"{self.name}: cannot be written: {why}{free}.{kept}")
+        return SweepError(f"{self.name}: cannot be written: {why}{free}.{kept}")
 
 
 def _mode_at(name, place, inputs):
-    """Permissions for the new file. @throw Refusal where it must not or cannot go there."""
+    """Permissions for the new file. @throw SweepError where it must not or cannot go there."""
     try:
         old = os.stat(place)
     except FileNotFoundError:
         folder = os.path.dirname(place)
         if not os.path.isdir(folder):
-            raise Refusal(f"{name}: cannot be written: the folder {folder} does not exist.") from None
+            raise SweepError(f"{name}: cannot be written: the folder {folder} does not exist.") from None
         mask = os.umask(0)
         os.umask(mask)
         return 0o666 & ~mask
     except OSError as error:
-        raise Refusal(f"{name}: cannot be written: {error.strerror}.") from None
+        raise SweepError(f"{name}: cannot be written: {error.strerror}.") from None
     if stat.S_ISDIR(old.st_mode):
-        raise Refusal(f"{name}: is a folder. Name a file in it.")
+        raise SweepError(f"{name}: is a folder. Name a file in it.")
     if not stat.S_ISREG(old.st_mode):
-        raise Refusal(f"{name}: is no regular file, and would be replaced by one.")
+        raise SweepError(f"{name}: is no regular file, and would be replaced by one.")
     for other in inputs:
         if os.path.samestat(old, os.stat(other)):
-            raise Refusal(f"{name}: is the same file as the input {other}. Name another one.")
+            raise SweepError(f"{name}: is the same file as the input {other}. Name another one.")
     if not os.access(place, os.W_OK):
-        raise Refusal(f"{name}: cannot be written: it is read-only.")
+        raise SweepError(f"{name}: cannot be written: it is read-only.")
     return stat.S_IMODE(old.st_mode)

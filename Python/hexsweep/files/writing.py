@@ -2,9 +2,10 @@
 """The mesh into a file, by VTK's writers, whose word is not taken for it."""
 
 from .. import vtkSweepAbaqusWriter, vtkSweepGmshWriter, vtkSweepSets
+from ..errors import SweepError
+from ..vtk_messages import library_messages
 from . import checking, exodus_names
-from .formats import ABAQUS, EXODUS, GMSH, MESHIO, check_meshio, extension_of
-from .messages import Refusal, library_messages
+from .formats import ABAQUS, EXODUS, GMSH, MESHIO, WRITTEN, check_meshio, extension_of
 
 _MOST_INT32 = 1 << 31
 
@@ -19,18 +20,20 @@ class Choices:
 
 
 def check(file_name, choices):
-    """@throw Refusal where such a file cannot be written here."""
+    """@throw SweepError where such a file cannot be written here."""
     extension = extension_of(file_name)
+    if extension not in WRITTEN:
+        raise SweepError(f"{file_name}: only {', '.join(WRITTEN)} files are written.")
     if extension in MESHIO:
         check_meshio(file_name)
     if choices.set_ids and extension in (".vtu", ".vtk"):
-        raise Refusal(f"{file_name}: has no sets, whose ids --set could choose.")
+        raise SweepError(f"{file_name}: has no sets, whose ids --set could choose.")
 
 
 def write(sweep, new, choices, messages):
     """@param new: NewFile. @param choices: Choices. @param messages: VtkMessages.
     @return the sets as vtkSweepSets gives them, nothing where the format has none.
-    @throw Refusal where it went wrong."""
+    @throw SweepError where it went wrong."""
     extension = extension_of(new.path)
     source, writer, difference_of = _writer_for(extension, sweep, choices)
     writer.SetFileName(new.path)
@@ -78,7 +81,7 @@ def _writer_for(extension, sweep, choices):
         sets.AddSetId(name, number)
     sets.Update()
     if sets.GetErrorCode() != 0:
-        raise Refusal()  # it has said why
+        raise SweepError()  # it has said why
     if extension in MESHIO:
         from . import meshio_files
 
@@ -114,7 +117,7 @@ class _MeshioWriter:
             self._write(self._sets.GetOutputDataObject(0), self._path)
         except Exception as error:
             why = str(error) or type(error).__name__
-            raise Refusal(f"meshio cannot write such a file: {why}.") from None
+            raise SweepError(f"meshio cannot write such a file: {why}.") from None
         return 1
 
     def GetErrorCode(self):
@@ -125,7 +128,7 @@ def _exodus_writer():
     try:
         from vtkmodules.vtkIOExodus import vtkExodusIIWriter
     except ImportError:
-        raise Refusal("this VTK has no Exodus II writer; write a .vtu file.") from None
+        raise SweepError("this VTK has no Exodus II writer; write a .vtu file.") from None
     writer = vtkExodusIIWriter()
     # It takes ids from the names of blocks, and writes the names with the ids in them. Once it has
     # made a table of names it modifies itself, before any name is written.

@@ -21,7 +21,7 @@ def write(path, grid, quality, certified, about, sets=None):
         "nodes": grid.GetNumberOfPoints(),
         "inverted": quality.inverted,
         "degenerate": quality.degenerate,
-        "not_certified": quality.uncertified,
+        "not_certified": quality.not_certified,
         "scaled_jacobian": {
             "least": quality.least,
             "mean": quality.mean,

@@ -10,8 +10,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkUnstructuredGrid
 
+from ..errors import SweepError
 from .formats import MESHIO, extension_of
-from .messages import Refusal
 
 # Solids that no hexahedron is: meshio's names of their cells begin so.
 _OTHER_SOLIDS = ("tetra", "wedge", "pyramid", "hexahedron", "polyhedron", "VTK_LAGRANGE")
@@ -129,7 +129,7 @@ def difference(path, sets):
 
 def read(path):
     """@return hexahedra as a vtkUnstructuredGrid, and how many solid cells of other types there are.
-    @throw Refusal."""
+    @throw SweepError."""
     mesh = _read(path)
     hexes = [block.data for block in mesh.cells if block.type == "hexahedron"]
     others = sum(
@@ -138,7 +138,7 @@ def read(path):
         if block.type.startswith(_OTHER_SOLIDS) and block.type != "hexahedron"
     )
     if not hexes:
-        raise Refusal(f"{path}: no hexahedra in it.")
+        raise SweepError(f"{path}: no hexahedra in it.")
     corners = np.concatenate(hexes)
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.points, dtype=float), deep=True))
@@ -163,7 +163,7 @@ def _read(path):
     # It ends the program where no format fits, and its readers of text raise what they meet.
     except (Exception, SystemExit) as error:
         words = " ".join(said.getvalue().split()) or str(error)
-        raise Refusal(f"{path}: cannot be read by meshio: {words}".rstrip(". ") + ".") from None
+        raise SweepError(f"{path}: cannot be read by meshio: {words}".rstrip(". ") + ".") from None
 
 
 @contextlib.contextmanager

@@ -3,20 +3,22 @@
 
 from vtkmodules import vtkCommonCore
 
-from .messages import Refusal
+from ..errors import SweepError
 
 _THREADED = ("STDThread", "TBB", "OpenMP")
 
 
 def use(number):
-    """As many as `number`, or as this machine has where they are fewer. @param number: at least 1.
-    @throw Refusal where this VTK has no threads, and more than one is asked for."""
+    """As many as `number`, or as this machine has where they are fewer. @throw SweepError where it is less than 1, and
+    where this VTK has no threads and more than one is asked for."""
+    if number < 1:
+        raise SweepError(f"--threads {number}: give 1 or more, or leave it out.")
     tools = getattr(vtkCommonCore, "vtkSMPTools", None)
     backends = _backends() if tools else []
     if number == 1 and not backends:
         return
     if not backends:
-        raise Refusal(
+        raise SweepError(
             f"--threads {number}: this VTK was built without threads; leave --threads out."
         )
     # The one that is in use, where it has threads: the user may have chosen it.

@@ -8,7 +8,7 @@ import signal
 import sys
 import threading
 
-from .messages import Refusal
+from .errors import SweepError
 
 _SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
@@ -23,7 +23,7 @@ class Interrupted(BaseException):
         self.number = number
 
 
-class Died(Refusal):
+class Died(SweepError):
     """A process ended before its work did."""
 
 
@@ -49,7 +49,7 @@ def heard_signals():
 def in_child(work):
     """What `work` returns (to be told in JSON), computed where a crash loses nothing.
 
-    @throw Refusal that of `work`; Died.
+    @throw SweepError that of `work`; Died.
     """
     if not hasattr(os, "fork"):
         return work()
@@ -77,7 +77,7 @@ def in_child(work):
         raise Died(f"the process that does the work {_death(status)}; nothing was written.")
     kind, value = json.loads(told)
     if kind == "refused":
-        raise Refusal(value)
+        raise SweepError(value)
     return value
 
 
@@ -91,7 +91,7 @@ def _tell(work, pipe):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, _SIGNALS)
         try:
             answer = ("done", work())
-        except Refusal as refusal:
+        except SweepError as refusal:
             answer = ("refused", str(refusal))
         with open(pipe, "wb") as stream:
             stream.write(json.dumps(answer).encode())

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of README.md and Documentation/Results.md, from one file: Documentation/results.json.
+"""The tables of the guide's page of the method and of Documentation/Results.md, from one file: Documentation/results.json.
 
     Utilities/demo.sh --compare && Utilities/demo.sh solids   # measures
     Utilities/results.py --measured build/demo                # takes the figures into results.json
@@ -22,10 +22,10 @@ sys.path.insert(0, str(ROOT / "Utilities" / "demo"))
 from result_tables import CASES, SOLIDS, record_table  # noqa: E402
 
 RESULTS = ROOT / "Documentation" / "results.json"
-PAGES = [ROOT / "README.md", ROOT / "Documentation" / "Results.md"]
+PAGES = [ROOT / "Documentation" / "guide" / "method.md", ROOT / "Documentation" / "Results.md"]
 BLOCK = re.compile(r"(<!-- results: ([\w ]+) -->\n).*?(<!-- end of results -->\n)", re.S)
 
-# The README's words for what it shows.
+# The guide's words for what it shows.
 SOLID_NOTES = {
     "flange": "a disk with a bore and six bolt holes",
     "elbow": "a pipe through 90 degrees",
@@ -60,7 +60,7 @@ def good(count):
     return "**0**" if count == 0 else spaced(count)
 
 
-def readme_solids(results):
+def guide_solids(results):
     given = named(r for r in results["solids"] if r["source_quads"] == "given")
     lines = [
         "| CAD solid (`Data/solids`), quads given | hexes | inverted | not certified | SJ min / mean |",
@@ -75,7 +75,7 @@ def readme_solids(results):
     return "\n".join(lines) + "\n"
 
 
-def readme_cases(results):
+def guide_cases(results):
     cases = named(results["cases"])
     lines = [
         "| model (`Data/cases`) | hexes | inverted quads, affine / HexSweep "
@@ -123,8 +123,8 @@ def fenced(columns, key):
 
 
 BLOCKS = {
-    "readme solids": readme_solids,
-    "readme cases": readme_cases,
+    "guide solids": guide_solids,
+    "guide cases": guide_cases,
     "cases": fenced(CASES, "cases"),
     "solids": fenced(SOLIDS, "solids"),
     "raw": raw_sentence,

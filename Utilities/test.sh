@@ -10,7 +10,8 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-"$source_dir/Utilities/install-dependencies.sh"
+# Beside what building needs: Sphinx for the guide, mypy for the type stubs.
+"$source_dir/Utilities/install-dependencies.sh" python3-sphinx python3-myst-parser mypy
 configure_and_build all
 say "test"
 # One test after the other: those that draw share the processors with the software renderer.

@@ -4,7 +4,7 @@
     python3 check_methods.py SOURCE_DIR
 
 The methods have numbers in Core, in a C++ enumeration, in setters and in two XML files of the plugin, and
-the README has a table of them. A method that one of these lacks cannot be chosen there.
+the guide has a table of them. A method that one of these lacks cannot be chosen there.
 """
 import re
 import sys
@@ -43,7 +43,7 @@ def problems_of(root):
     interior = read("Filters/vtkCageHexInterior.h")
     constants = [(snake(name), number) for name, number in methods]
     numbered = [(name, str(number)) for name, number in methods]
-    readme = read("README.md").split("| `Method` | places", 1)[1].split("\n\n", 1)[0]
+    guide = read("Documentation/guide/method.md").split("| `Method` | places", 1)[1].split("\n\n", 1)[0]
     found = {
         "Filters/Core/Interior/InteriorStarts.cxx": (table, [name for name, _ in methods]),
         "Filters/vtkCageHexInterior.h": (enumerators(interior, "MethodType"), constants),
@@ -52,8 +52,8 @@ def problems_of(root):
         "Filters/vtkOneToOneSweep.h, setters": (setters(read("Filters/vtkOneToOneSweep.h")), numbered),
         "Plugin/CageHexInterior.xml": (entries(read("Plugin/CageHexInterior.xml")), methods),
         "Plugin/OneToOneSweep.xml": (entries(read("Plugin/OneToOneSweep.xml")), methods),
-        "README.md, table": (
-            re.findall(r"^\| `(\w+)`", readme, re.M), [name for name, _ in methods if name != "Automatic"]),
+        "Documentation/guide/method.md, table": (
+            re.findall(r"^\| `(\w+)`", guide, re.M), [name for name, _ in methods if name != "Automatic"]),
     }
     return [
         f"{place}: {have} are not the methods {want}" for place, (have, want) in found.items() if have != want

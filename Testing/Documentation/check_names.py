@@ -136,8 +136,8 @@ def problems_of(root):
 
     words = words_of(root)
     problems = []
-    for name in PAGES:
-        page = root / name
+    guide = sorted((root / "Documentation" / "guide").rglob("*.md"))
+    for page in [root / name for name in PAGES] + guide:
         problems += names_in(page, page.read_text(encoding="utf-8"), root, words)
     architecture = (root / "Documentation" / "Architecture.md").read_text(encoding="utf-8")
     core = (root / "Documentation" / "Core.md").read_text(encoding="utf-8")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the README's pvpython script as it stands there and judges the file that it writes."""
+"""Runs the pvpython script of the guide's page about ParaView and lets Verdict judge the files that it writes."""
 
 import os
 import subprocess
@@ -7,8 +7,10 @@ import sys
 import tempfile
 
 SOURCE_DIR = os.environ["HEXSWEEP_SOURCE_DIR"]
-sys.path.insert(0, os.path.join(SOURCE_DIR, "Testing", "Readme"))
-from readme_code import code_block  # noqa: E402
+sys.path.insert(0, os.path.join(SOURCE_DIR, "Testing", "Guide"))
+from run_page import blocks  # noqa: E402
+
+PAGE = os.path.join(SOURCE_DIR, "Documentation", "guide", "paraview.md")
 
 with tempfile.TemporaryDirectory(dir=os.environ["HEXSWEEP_TEST_OUTPUT_DIR"]) as folder:
     # The reader stands in the clone, where demo.sh has built in build/release.
@@ -16,7 +18,8 @@ with tempfile.TemporaryDirectory(dir=os.environ["HEXSWEEP_TEST_OUTPUT_DIR"]) as 
     os.mkdir(os.path.join(folder, "build"))
     os.symlink(os.environ["HEXSWEEP_BINARY_DIR"], os.path.join(folder, "build", "release"))
     with open(os.path.join(folder, "sweep.py"), "w", encoding="utf-8") as file:
-        file.write(code_block("python"))
+        (script,) = blocks(PAGE, "python")
+        file.write(script)
     done = subprocess.run(
         ["pvpython", "sweep.py"], cwd=folder, timeout=300, check=False,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,

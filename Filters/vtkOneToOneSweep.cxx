@@ -7,6 +7,7 @@
 #include "HexSweepLayers.h"
 #include "HexSweepLists.h"
 #include "HexSweepRun.h"
+#include "HexSweepSelection.h"
 #include "HexSweepSolidPort.h"
 
 #include <vtkCompositeDataSet.h>
@@ -15,8 +16,10 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkSelection.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -24,17 +27,48 @@ vtkStandardNewMacro(vtkOneToOneSweep);
 
 using namespace hexsweep;
 
+namespace
+{
+/// Adds faces that are not there yet.
+void addNew(const std::vector<Index>& faces, std::vector<Index>& named)
+{
+  for (const Index face : faces)
+  {
+    if (std::find(named.begin(), named.end(), face) == named.end())
+    {
+      named.push_back(face);
+    }
+  }
+}
+
+/// Adds those of the selections on ports 2 and 3.
+void addSelectedFaces(
+  vtkInformationVector** inputs, const std::vector<ReadBody>& bodies, NamedCaps& named)
+{
+  vtkDataObject* solid = vtkDataObject::GetData(inputs[0], 0);
+  addNew(selectedFaces(solid, vtkSelection::GetData(inputs[2], 0), "source", bodies),
+    named.sourceFaceIds);
+  addNew(selectedFaces(solid, vtkSelection::GetData(inputs[3], 0), "target", bodies),
+    named.targetFaceIds);
+}
+}
+
 //------------------------------------------------------------------------------
 vtkOneToOneSweep::vtkOneToOneSweep()
 {
   this->SetNumberOfLayers(0);
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
-int vtkOneToOneSweep::FillInputPortInformation(int, vtkInformation* info)
+int vtkOneToOneSweep::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port >= 2)
+  {
+    acceptSelection(info);
+    return 1;
+  }
   // Source quads in a collection come here too, to be refused in words instead of block by block.
   acceptSolids(info);
   return 1;
@@ -142,8 +176,9 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   reportProgress(pipelineProgress(this), 0.02);
 
   auto* hexes = vtkUnstructuredGrid::GetData(outputs, 0);
-  const NamedCaps named{ { this->SourceFaceIds.begin(), this->SourceFaceIds.end() },
+  NamedCaps named{ { this->SourceFaceIds.begin(), this->SourceFaceIds.end() },
     { this->TargetFaceIds.begin(), this->TargetFaceIds.end() } };
+  addSelectedFaces(inputs, bodies, named);
   const std::vector<std::string> warnings =
     sweepBodies({ solid, inputDataSet(inputs, 1), bodies }, named, settings, clock,
       pipelineProgress(this, 0.02, 1.0), hexes, vtkUnstructuredGrid::GetData(outputs, 1));

@@ -17,6 +17,9 @@
  *   without one by the angle between neighbouring triangles.
  * - port 1 `SourceQuads`, optional: quads on the source face. Without it: quad cells on the source
  *   face of the solid, where it is meshed with these; otherwise quads are made, see SetSize().
+ * - ports 2 `SourceSelection` and 3 `TargetSelection`, optional, vtkSelection: cells of the solid,
+ * whose faces are the source and the target cap. For those who pick faces in a view instead of
+ * naming ids.
  *
  * A solid of several bodies is swept body by body: those with one `VolumeId` (a cell array of
  * surface cells), without it pieces that are not connected, numbered from 1 on. Their meshes come
@@ -81,6 +84,21 @@ public:
   /// Quads on the source cap: port 1, optional.
   void SetSourceQuadsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetSourceQuadsData(vtkDataObject* data) { this->SetInputData(1, data); }
+  ///@}
+
+  ///@{
+  /// Cells of the solid that were selected in a view: ports 2 and 3, optional. Their faces are caps
+  /// as if they were named below.
+  void SetSourceSelectionConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(2, output);
+  }
+  void SetSourceSelectionData(vtkDataObject* data) { this->SetInputData(2, data); }
+  void SetTargetSelectionConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(3, output);
+  }
+  void SetTargetSelectionData(vtkDataObject* data) { this->SetInputData(3, data); }
   ///@}
 
   ///@{

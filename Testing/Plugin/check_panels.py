@@ -3,8 +3,8 @@
 
     python3 check_panels.py SOURCE_DIR
 
-Where a filter has groups of properties each property is in one of them; a list, which ParaView shows without its
-name, is in a group of its own. Each filter of the menu has an icon of its own, and each icon is a resource.
+Where a filter has groups of properties each property is in one of them; lists and selections, which ParaView shows
+without a name, are in a group of their own. Each filter of the menu has an icon of its own, and each icon is a resource.
 """
 
 import sys
@@ -17,21 +17,26 @@ def group_problems(name, proxy):
     shown = {
         one.get("name"): one
         for one in proxy
-        if one.tag.endswith("VectorProperty") and one.get("panel_visibility") != "never"
+        if one.tag.endswith("VectorProperty") and one.get("panel_visibility") != "never" or is_selection(one)
     }
     members = [one for group in groups for one in group]
     if not groups:
-        return [f"{name}: the list {one} is in no group" for one in shown if is_list(shown[one])]
+        return [f"{name}: {one} is in no group" for one in shown if is_nameless(shown[one])]
     problems = [f"{name}: the groups have {one}, which is no property" for one in members if one not in shown]
     problems += [f"{name}: {one} is in {members.count(one)} groups" for one in shown if members.count(one) != 1]
     return problems + [
-        f"{name}: the list {one} is in a group with others"
-        for group in groups for one in group if len(group) > 1 and one in shown and is_list(shown[one])
+        f"{name}: {one} is in a group with others"
+        for group in groups for one in group if len(group) > 1 and one in shown and is_nameless(shown[one])
     ]
 
 
-def is_list(one):
-    return one.get("repeat_command") == "1"
+def is_selection(one):
+    return one.find("Hints/SelectionInput") is not None
+
+
+def is_nameless(one):
+    """Lists and selections, which ParaView shows without a name."""
+    return one.get("repeat_command") == "1" or is_selection(one)
 
 
 def icon_problems(icons, resources, files):

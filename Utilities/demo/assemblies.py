@@ -21,11 +21,12 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
-NAMES = ("bolted_joint", "flanged_pipe", "lined_elbow", "pad_on_plate", "pin_in_plate", "sector_ring", "tee_blocks",
-         "three_blocks")
+NAMES = ("bolted_joint", "flanged_pipe", "headed_bolt", "lined_elbow", "pad_on_plate", "pin_in_plate", "sector_ring",
+         "tee_blocks", "three_blocks")
 # Name, size of the hexahedra, direction from which one looks, normal of the cut, how far volumes are pulled apart.
 PICTURES = (
     ("bolted_joint", 1.6, (0.55, -0.75, 0.35), (0.0, -1.0, 0.0), 0.9),
+    ("headed_bolt", 1.3, (0.5, -0.75, 0.45), (0.0, -1.0, 0.0), 0.0),
     ("lined_elbow", 2.2, (0.35, -0.9, 0.3), (0.0, -1.0, 0.0), 0.0),
     ("sector_ring", 2.5, (0.3, -0.6, 0.75), None, 0.45),
 )

@@ -3,6 +3,7 @@
 
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Geometry/CoordinateRange.h"
 #include "Core/Surfaces/QuadHalving.h"
 #include "Core/Surfaces/TriangleAngles.h"
 
@@ -58,18 +59,6 @@ struct FaceRows
   Index ignoredCells = 0;
 };
 
-void checkFinite(const FaceRows& faces, const std::string& what)
-{
-  for (const Index p : faces.corners)
-  {
-    if (!faces.points.row(p).allFinite())
-    {
-      throw InvalidInput("the " + what + ": point " + std::to_string(p) +
-        " has a coordinate that is not a finite number. Repair or remove it.");
-    }
-  }
-}
-
 FaceRows readSurface(
   vtkDataSet* data, const std::string& what, std::size_t cornersEach, const AppendFaces& append)
 {
@@ -104,7 +93,7 @@ FaceRows readSurface(
     throw InvalidInput("the " + what + verb(what, " is", " are") +
       " empty (no surface cells). Connect a surface mesh.");
   }
-  checkFinite(faces, what);
+  checkCoordinates(faces.points, faces.corners, what);
   return faces;
 }
 

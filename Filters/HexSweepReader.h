@@ -38,7 +38,7 @@ struct QuadInput
  *
  * @param data nullptr counts as missing.
  * @param what name for the error text, e.g. "target surface".
- * @throw InvalidInput missing, empty, volume cells, coordinates that are not finite.
+ * @throw InvalidInput missing, empty, volume cells, coordinates as in checkCoordinates().
  */
 TriangleInput readTriangles(vtkDataSet* data, const std::string& what);
 

@@ -355,6 +355,20 @@ double squaredChange(const std::vector<Circle>& a, const std::vector<Circle>& b)
   }
   return sum;
 }
+
+/// Whether the last rounds changed no less than the best ones before them: what is left is rounding.
+bool isStagnant(const std::vector<KoebeRound>& rounds)
+{
+  constexpr std::ptrdiff_t Patience = 20;
+  if (static_cast<std::ptrdiff_t>(rounds.size()) <= 2 * Patience)
+  {
+    return false;
+  }
+  const auto smaller = [](const KoebeRound& a, const KoebeRound& b) { return a.change < b.change; };
+  const auto recent = rounds.end() - Patience;
+  return std::min_element(recent, rounds.end(), smaller)->change >=
+    0.5 * std::min_element(rounds.begin(), recent, smaller)->change;
+}
 }
 
 KoebeMap koebeMap(const PointsRef& points, const TrianglesRef& triangles,
@@ -368,7 +382,9 @@ KoebeMap koebeMap(const PointsRef& points, const TrianglesRef& triangles,
   }
   KoebeMap result;
   KoebeIteration iteration(points, symmetricLaplacian(points, triangles, weights), loops);
-  for (int done = 0; !result.converged && done < std::max(1, limits.maximumRounds); ++done)
+  for (int done = 0; !result.converged && done < std::max(1, limits.maximumRounds) &&
+       !isStagnant(result.rounds);
+       ++done)
   {
     KoebeRound round = iteration.round();
     round.change = done == 0 ? std::numeric_limits<double>::infinity()

@@ -35,6 +35,7 @@ struct KoebeMap
 struct KoebeLimits
 {
   double tolerance = 1e-10; ///< of KoebeRound::change; lengths are in radii of the disk
+  /// Many more than 40 end where the last 20 gained nothing.
   int maximumRounds = 20;
 };
 

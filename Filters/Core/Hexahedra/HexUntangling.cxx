@@ -3,6 +3,7 @@
 
 #include "Core/Common/CellPatches.h"
 #include "Core/Common/Errors.h"
+#include "Core/Geometry/CoordinateRange.h"
 #include "Core/Geometry/FoldoverFreeEnergy.h"
 #include "Core/Hexahedra/FixedCorners.h"
 
@@ -199,8 +200,12 @@ Points rowsOf(const Points& points, const std::vector<Index>& rows)
 
 Points stored(const PointsRef& points, Precision precision)
 {
-  return precision == Precision::Double ? Points(points)
-                                        : Points(points.cast<float>().cast<double>());
+  if (precision == Precision::Double)
+  {
+    return points;
+  }
+  checkFitsSinglePrecision(points);
+  return points.cast<float>().cast<double>();
 }
 
 double untanglingWork(Index hexes, HexSamples samples)

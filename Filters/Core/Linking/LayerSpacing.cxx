@@ -12,6 +12,8 @@ namespace hexsweep
 namespace
 {
 constexpr Index MostLayers = 1000000;
+/// Of the whole: thinner layers have their nodes in one place, when coordinates are rounded.
+constexpr double LeastThickness = 1e-14;
 }
 
 std::vector<double> layerFractions(Index layers, double growth, bool bothEnds)
@@ -55,7 +57,7 @@ std::vector<double> layerFractions(Index layers, double growth, bool bothEnds)
   }
   for (std::size_t k = 1; k < fractions.size(); ++k)
   {
-    if (!(fractions[k] > fractions[k - 1]))
+    if (!(fractions[k] - fractions[k - 1] > LeastThickness))
     {
       throw InvalidInput("with growth ratio " + describe(growth) + " layer " + std::to_string(k) +
         " of " + std::to_string(layers) +

@@ -3,6 +3,7 @@
 
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Geometry/CoordinateRange.h"
 #include "Core/Solids/ClosedSurface.h"
 #include "Core/Solids/DegenerateTriangles.h"
 #include "Core/Solids/SolidMessages.h"
@@ -41,14 +42,9 @@ void checkPoints(const SolidInput& input)
         throw InvalidInput("the solid: triangle " + std::to_string(t) + " names point " +
           std::to_string(p) + ", which does not exist.");
       }
-      if (!input.points.row(p).allFinite())
-      {
-        throw InvalidInput("the solid: point " + std::to_string(p) + " (of triangle " +
-          std::to_string(t) +
-          ") has a coordinate that is not a finite number. Repair or remove it.");
-      }
     }
   }
+  checkCoordinates(input.points, input.triangles, "solid");
 }
 
 void checkTolerance(const SolidOptions& options)

@@ -45,9 +45,9 @@ struct SolidOptions
 /// Some triangles of a solid, in this order, with all of its points; ids are those of the solid.
 SolidInput selectTriangles(const SolidInput& input, const std::vector<Index>& rows);
 
-/// @throw InvalidInput: no triangles; id lists of the wrong length; a corner that does not exist or
-/// is
-///        not finite.
+/// @throw InvalidInput: no triangles; id lists of the wrong length; a corner that does not exist;
+/// coordinates as in
+///        checkCoordinates().
 void checkSolidInput(const SolidInput& input);
 
 /**

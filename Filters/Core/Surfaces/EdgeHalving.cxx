@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/EdgeHalving.h"
 
+#include "Core/Common/Describe.h"
+#include "Core/Common/Errors.h"
 #include "Core/Surfaces/HalfEdgeTriangles.h"
+#include "Core/Surfaces/SurfaceArea.h"
 
 #include <queue>
 #include <tuple>
@@ -10,6 +13,8 @@ namespace hexsweep
 {
 namespace
 {
+constexpr double MostTriangles = 50e6;
+
 class Halving
 {
 public:
@@ -38,8 +43,16 @@ public:
   {
     const Index before = this->Connectivity.numberOfHalfEdges();
     const Index twin = this->Connectivity.twin(half);
-    const Eigen::RowVector3d middle =
-      0.5 * (this->at(this->Connectivity.from(half)) + this->at(this->Connectivity.to(half)));
+    const Eigen::RowVector3d from = this->at(this->Connectivity.from(half));
+    const Eigen::RowVector3d to = this->at(this->Connectivity.to(half));
+    const Eigen::RowVector3d middle = 0.5 * (from + to);
+    if (middle == from || middle == to)
+    {
+      // Its half would be as long, and halved for ever.
+      throw InvalidInput("the edge from " + describe(from) + " to " + describe(to) +
+        " cannot be halved: there is no number between its coordinates. Move the mesh nearer to the "
+        "origin, or use a smaller unit.");
+    }
     const Index vertex = static_cast<Index>(this->Positions.size());
     this->Positions.push_back(middle);
     this->Connectivity.splitEdge(half, vertex);
@@ -78,6 +91,15 @@ private:
 
 HalvedSurface halveLongEdges(const TriangleMesh& mesh, double longest)
 {
+  // Triangles with edges up to half as long have an eighth of the square's area or more, slender
+  // ones aside.
+  const double triangles = 8.0 * surfaceArea(mesh) / longest / longest;
+  if (!(triangles <= MostTriangles))
+  {
+    throw InvalidInput("edges no longer than " + describe(longest) + " would make about " +
+      describe(triangles) + " triangles of a surface with area " + describe(surfaceArea(mesh)) +
+      ". Give a greater length.");
+  }
   Halving halving(mesh);
   const HalfEdgeTriangles& edges = halving.connectivity();
   // Longest first; of equal ones that between the lowest points.

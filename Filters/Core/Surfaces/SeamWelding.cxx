@@ -3,6 +3,7 @@
 
 #include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
+#include "Core/Geometry/CoordinateRange.h"
 #include "Core/Geometry/PointGrid.h"
 #include "Core/Surfaces/FaceSides.h"
 #include "Core/Surfaces/NodeTolerance.h"
@@ -45,13 +46,9 @@ void checkQuads(const PointsRef& points, const QuadsRef& quads)
         throw InvalidInput("Quad " + std::to_string(q) +
           " of the linking sides names a point that does not exist (" + std::to_string(id) + ").");
       }
-      if (!points.row(id).allFinite())
-      {
-        throw InvalidInput("Point " + std::to_string(id) +
-          " of the linking sides has a coordinate that is not a finite number.");
-      }
     }
   }
+  checkCoordinates(points, quads, "linking sides");
 }
 
 /// Joins patches that repeat the points of their common seam: point id -> smallest id there.

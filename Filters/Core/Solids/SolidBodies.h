@@ -15,7 +15,7 @@ namespace hexsweep
 struct SolidBody
 {
   Index volumeId = 0;
-  SolidInput input; ///< its triangles, and all points; ids are those of the solid
+  SolidInput input; ///< its triangles and points alone; ids are those of the solid
 };
 
 /**

@@ -136,6 +136,54 @@ TEST(SolidBodies, IdsTellBodiesApart)
   EXPECT_THROW(solidBodies(solid, { 1, 2 }), hexsweep::InvalidInput);
 }
 
+TEST(SolidBodies, EachHasItsOwnPointsAndQuadsAlone)
+{
+  // With all points each of many bodies would be as large as the whole.
+  const SolidInput box = test::box(1, 1, 1);
+  constexpr Index Across = 12;
+  constexpr Index Count = Across * Across * Across;
+  SolidInput solid;
+  solid.points.resize(Count * box.points.rows(), 3);
+  solid.triangles.resize(Count * box.triangles.rows(), 3);
+  for (Index b = 0; b < Count; ++b)
+  {
+    const Eigen::RowVector3d shift(static_cast<double>(b % Across),
+      static_cast<double>(b / Across % Across), static_cast<double>(b / Across / Across));
+    solid.points.middleRows(b * box.points.rows(), box.points.rows()) =
+      (2.0 * shift).replicate(box.points.rows(), 1) + box.points;
+    solid.triangles.middleRows(b * box.triangles.rows(), box.triangles.rows()) =
+      box.triangles.array() + b * box.points.rows();
+  }
+  // The first two triangles of each are halves of a quad.
+  solid.quads.resize(Count, 4);
+  solid.quadOfTriangle.assign(static_cast<std::size_t>(solid.triangles.rows()), -1);
+  for (Index b = 0; b < Count; ++b)
+  {
+    const Index t = b * box.triangles.rows();
+    solid.quadOfTriangle[static_cast<std::size_t>(t)] = b;
+    solid.quads.row(b) << solid.triangles(t, 0), solid.triangles(t, 1), solid.triangles(t, 2),
+      solid.triangles(t, 0);
+    solid.quadCellIds.push_back(100 + b);
+  }
+  const std::vector<SolidBody> bodies = solidBodies(solid, {});
+  ASSERT_EQ(bodies.size(), static_cast<std::size_t>(Count));
+  for (Index b = 0; b < Count; ++b)
+  {
+    const SolidInput& body = bodies[static_cast<std::size_t>(b)].input;
+    ASSERT_EQ(body.points.rows(), box.points.rows());
+    ASSERT_EQ(body.quads.rows(), 1);
+    EXPECT_EQ(body.quadCellIds.front(), 100 + b);
+    EXPECT_EQ(body.quadOfTriangle.front(), 0);
+    EXPECT_EQ(body.quads.row(0).head<3>(), body.triangles.row(0));
+    for (Index p = 0; p < body.points.rows(); ++p)
+    {
+      ASSERT_EQ(
+        body.points.row(p), solid.points.row(body.pointIds[static_cast<std::size_t>(p)]));
+    }
+  }
+  EXPECT_NEAR(volumeOf(bodies.back().input), 1.0, 1e-12);
+}
+
 TEST(SolidBodies, AnOpenPieceIsABodyOfItsOwn)
 {
   const SolidInput box = test::box(1, 1, 1);

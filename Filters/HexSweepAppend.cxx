@@ -2,6 +2,7 @@
 #include "HexSweepAppend.h"
 
 #include "HexSweepArrays.h"
+#include "HexSweepMemory.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkAppendFilter.h>
@@ -64,6 +65,7 @@ void appendBodies(
   vtkNew<vtkFieldData> reports;
   vtkIdType points = 0;
   vtkIdType cells = 0;
+  unsigned long bytes = 0; // in units of 1024
   for (const BodyMesh& body : bodies)
   {
     countOn(body.boundary->GetPointData(), arrays::HexPointIds, points);
@@ -71,9 +73,11 @@ void appendBodies(
     points += body.hexes->GetNumberOfPoints();
     cells += body.hexes->GetNumberOfCells();
     appendReports(body.hexes->GetFieldData(), reports);
+    bytes += body.hexes->GetActualMemorySize() + body.boundary->GetActualMemorySize();
     hexAppend->AddInputData(body.hexes);
     boundaryAppend->AddInputData(body.boundary);
   }
+  requireMemory(2.0 * 1024.0 * static_cast<double>(bytes));
   hexAppend->Update();
   boundaryAppend->Update();
   hexes->ShallowCopy(hexAppend->GetOutput());

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepBoundarySets.h"
 
+#include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 
 #include "HexSweepArrays.h"
+#include "HexSweepIds.h"
+#include "HexSweepMemory.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -25,6 +28,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 
 namespace hexsweep
 {
@@ -33,14 +37,8 @@ namespace
 /// Sides of a hexahedron in the order of Exodus II, from 1 on, in that of vtkHexahedron's faces.
 constexpr int VtkFaces[7] = { -1, 2, 1, 3, 0, 4, 5 };
 
-vtkIdType idAt(vtkDataArray* ids, vtkIdType i)
-{
-  return static_cast<vtkIdType>(ids->GetComponent(i, 0));
-}
-
-/// An array of whole numbers in a range.
-vtkDataArray* checkedIds(
-  vtkFieldData* data, const std::string& name, vtkIdType first, vtkIdType last)
+/// Checks an array of whole numbers in a range.
+void checkIds(vtkFieldData* data, const std::string& name, vtkIdType first, vtkIdType last)
 {
   vtkDataArray* array = data->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != 1)
@@ -48,18 +46,24 @@ vtkDataArray* checkedIds(
     throw InvalidInput("the boundary has no array \"" + name +
       "\". Connect the second output (Boundary) of OneToOneSweep.");
   }
+  const WholeNumbers ids(array);
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
-    const double value = array->GetComponent(i, 0);
-    if (!(value >= static_cast<double>(first) && value <= static_cast<double>(last)))
+    const std::optional<Index> id = ids.at(i);
+    if (!id || *id < first || *id > last)
     {
       throw InvalidInput("the boundary is not that of these hexahedra: entry " + std::to_string(i) +
-        " of \"" + name + "\" is " + std::to_string(idAt(array, i)) + ", which is not in [" +
-        std::to_string(first) + ", " + std::to_string(last) +
+        " of \"" + name + "\" is " + describe(array->GetComponent(i, 0)) +
+        ", which is not a whole number in [" + std::to_string(first) + ", " + std::to_string(last) +
         "]. Connect both outputs of the same OneToOneSweep, unchanged.");
     }
   }
-  return array;
+}
+
+/// An array of ids that has been checked.
+WholeNumbers idsOf(vtkFieldData* data, const char* name)
+{
+  return WholeNumbers(data->GetArray(name));
 }
 
 void checkCells(vtkUnstructuredGrid* grid, const std::string& what, int type, const char* cells)
@@ -82,21 +86,21 @@ void checkCells(vtkUnstructuredGrid* grid, const std::string& what, int type, co
 /// Every quad must be the side that it names, or sets of another mesh would be written.
 void checkSides(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
-  vtkDataArray* hexIds = boundary->GetCellData()->GetArray(arrays::HexId);
-  vtkDataArray* hexSides = boundary->GetCellData()->GetArray(arrays::HexSide);
-  vtkDataArray* pointIds = boundary->GetPointData()->GetArray(arrays::HexPointIds);
+  const WholeNumbers hexIds = idsOf(boundary->GetCellData(), arrays::HexId);
+  const WholeNumbers hexSides = idsOf(boundary->GetCellData(), arrays::HexSide);
+  const WholeNumbers pointIds = idsOf(boundary->GetPointData(), arrays::HexPointIds);
   vtkNew<vtkIdList> corners;
   vtkNew<vtkIdList> nodes;
   for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
   {
     boundary->GetCellPoints(q, corners);
-    hexes->GetCellPoints(idAt(hexIds, q), nodes);
-    const vtkIdType* side = vtkHexahedron::GetFaceArray(VtkFaces[idAt(hexSides, q)]);
+    hexes->GetCellPoints(hexIds[q], nodes);
+    const vtkIdType* side = vtkHexahedron::GetFaceArray(VtkFaces[hexSides[q]]);
     std::array<vtkIdType, 4> found;
     std::array<vtkIdType, 4> expected;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      found[i] = idAt(pointIds, corners->GetId(static_cast<vtkIdType>(i)));
+      found[i] = pointIds[corners->GetId(static_cast<vtkIdType>(i))];
       expected[i] = nodes->GetId(side[i]);
     }
     std::sort(found.begin(), found.end());
@@ -104,8 +108,8 @@ void checkSides(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
     if (found != expected)
     {
       throw InvalidInput("the boundary is not that of these hexahedra: its quad " +
-        std::to_string(q) + " is not side " + std::to_string(idAt(hexSides, q)) +
-        " of hexahedron " + std::to_string(idAt(hexIds, q)) +
+        std::to_string(q) + " is not side " + std::to_string(hexSides[q]) +
+        " of hexahedron " + std::to_string(hexIds[q]) +
         ". Connect both outputs of the same OneToOneSweep, unchanged.");
     }
   }
@@ -115,12 +119,12 @@ void checkBoundary(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
   checkCells(hexes, "mesh of hexahedra", VTK_HEXAHEDRON, "hexahedron");
   checkCells(boundary, "boundary", VTK_QUAD, "quad");
-  constexpr vtkIdType Largest = std::numeric_limits<vtkIdType>::max() / 2;
-  checkedIds(boundary->GetCellData(), arrays::BoundaryId, -Largest, Largest);
-  checkedIds(boundary->GetCellData(), arrays::BoundaryPart, 0, 2);
-  checkedIds(boundary->GetCellData(), arrays::HexId, 0, hexes->GetNumberOfCells() - 1);
-  checkedIds(boundary->GetCellData(), arrays::HexSide, 1, 6);
-  checkedIds(boundary->GetPointData(), arrays::HexPointIds, 0, hexes->GetNumberOfPoints() - 1);
+  constexpr auto AnyId = std::numeric_limits<vtkIdType>();
+  checkIds(boundary->GetCellData(), arrays::BoundaryId, AnyId.min(), AnyId.max());
+  checkIds(boundary->GetCellData(), arrays::BoundaryPart, 0, 2);
+  checkIds(boundary->GetCellData(), arrays::HexId, 0, hexes->GetNumberOfCells() - 1);
+  checkIds(boundary->GetCellData(), arrays::HexSide, 1, 6);
+  checkIds(boundary->GetPointData(), arrays::HexPointIds, 0, hexes->GetNumberOfPoints() - 1);
   checkSides(hexes, boundary);
 }
 
@@ -135,7 +139,7 @@ vtkSmartPointer<vtkIdTypeArray> newGlobalIds(const char* name, vtkIdType count)
 {
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetName(name);
-  ids->SetNumberOfValues(count);
+  setTuples(ids.Get(), count);
   std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType{ 1 });
   return ids;
 }
@@ -145,11 +149,11 @@ vtkSmartPointer<vtkIntArray> newBlockIds(vtkUnstructuredGrid* hexes)
   vtkDataArray* volumes = hexes->GetCellData()->GetArray(arrays::VolumeId);
   auto ids = vtkSmartPointer<vtkIntArray>::New();
   ids->SetName("ObjectId");
-  ids->SetNumberOfValues(hexes->GetNumberOfCells());
+  setTuples(ids.Get(), hexes->GetNumberOfCells());
   for (vtkIdType c = 0; c < hexes->GetNumberOfCells(); ++c)
   {
-    const double id = volumes ? volumes->GetComponent(c, 0) : 1.0;
-    const bool fits = id >= 1.0 && id <= static_cast<double>(std::numeric_limits<int>::max());
+    const Index id = volumes ? WholeNumbers(volumes).at(c).value_or(1) : 1;
+    const bool fits = id >= 1 && id <= std::numeric_limits<int>::max();
     ids->SetValue(c, fits ? static_cast<int>(id) : 1);
   }
   return ids;
@@ -166,10 +170,10 @@ std::vector<vtkIdType> boundaryFirst(vtkUnstructuredGrid* hexes, vtkUnstructured
       order.push_back(hex);
     }
   };
-  vtkDataArray* hexIds = boundary->GetCellData()->GetArray(arrays::HexId);
+  const WholeNumbers hexIds = idsOf(boundary->GetCellData(), arrays::HexId);
   for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
   {
-    take(idAt(hexIds, q));
+    take(hexIds[q]);
   }
   for (vtkIdType hex = 0; hex < hexes->GetNumberOfCells(); ++hex)
   {
@@ -189,7 +193,7 @@ struct UsedPoints
   {
     this->points->SetDataType(boundary->GetPoints()->GetDataType());
     this->globalIds->SetName("GlobalNodeId");
-    vtkDataArray* hexPointIds = boundary->GetPointData()->GetArray(arrays::HexPointIds);
+    const WholeNumbers hexPointIds = idsOf(boundary->GetPointData(), arrays::HexPointIds);
     vtkNew<vtkIdList> corners;
     for (const vtkIdType quad : set.quads)
     {
@@ -199,7 +203,7 @@ struct UsedPoints
         if (this->newId.emplace(point, this->points->GetNumberOfPoints()).second)
         {
           this->points->InsertNextPoint(boundary->GetPoint(point));
-          this->globalIds->InsertNextValue(idAt(hexPointIds, point) + 1);
+          this->globalIds->InsertNextValue(hexPointIds[point] + 1);
         }
       }
     }
@@ -239,16 +243,16 @@ std::vector<BoundarySet> boundarySets(
   vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary, bool roleSets, const ChosenIds& chosen)
 {
   checkBoundary(hexes, boundary);
-  vtkDataArray* faces = boundary->GetCellData()->GetArray(arrays::BoundaryId);
-  vtkDataArray* parts = boundary->GetCellData()->GetArray(arrays::BoundaryPart);
+  const WholeNumbers faces = idsOf(boundary->GetCellData(), arrays::BoundaryId);
+  const WholeNumbers parts = idsOf(boundary->GetCellData(), arrays::BoundaryPart);
   QuadsById byFace;
   QuadsById byPart;
   for (vtkIdType q = 0; q < boundary->GetNumberOfCells(); ++q)
   {
-    byFace[idAt(faces, q)].push_back(q);
+    byFace[faces[q]].push_back(q);
     if (roleSets)
     {
-      byPart[idAt(parts, q)].push_back(q);
+      byPart[parts[q]].push_back(q);
     }
   }
   std::vector<BoundarySet> sets;
@@ -286,7 +290,8 @@ std::string volumeName(vtkUnstructuredGrid* hexes)
   {
     return names->GetValue(0);
   }
-  return "Volume " + std::to_string(volumes ? idAt(volumes, 0) : vtkIdType{ 1 });
+  return "Volume " +
+    (volumes ? describe(volumes->GetComponent(0, 0)) : std::string("1"));
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(
@@ -301,8 +306,9 @@ vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(
   block->SetPoints(hexes->GetPoints());
   block->GetPointData()->ShallowCopy(hexes->GetPointData());
   block->GetCellData()->CopyAllOn();
-  block->GetCellData()->CopyAllocate(cellData, hexes->GetNumberOfCells());
+  allocateTuples(cellData, hexes->GetNumberOfCells(), block->GetCellData());
   vtkNew<vtkCellArray> cells;
+  requireMemory(9.0 * sizeof(vtkIdType) * static_cast<double>(hexes->GetNumberOfCells()));
   cells->AllocateExact(hexes->GetNumberOfCells(), 8 * hexes->GetNumberOfCells());
   vtkNew<vtkIdList> corners;
   for (const vtkIdType hex : boundaryFirst(hexes, boundary))
@@ -329,8 +335,8 @@ vtkSmartPointer<vtkUnstructuredGrid> newSideSet(
   vtkUnstructuredGrid* boundary, const BoundarySet& set)
 {
   const UsedPoints used(boundary, set);
-  vtkDataArray* hexIds = boundary->GetCellData()->GetArray(arrays::HexId);
-  vtkDataArray* hexSides = boundary->GetCellData()->GetArray(arrays::HexSide);
+  const WholeNumbers hexIds = idsOf(boundary->GetCellData(), arrays::HexId);
+  const WholeNumbers hexSides = idsOf(boundary->GetCellData(), arrays::HexSide);
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkIdTypeArray> elements;
   elements->SetName("SourceElementId");
@@ -345,8 +351,8 @@ vtkSmartPointer<vtkUnstructuredGrid> newSideSet(
       corner = used.newId.at(corner);
     }
     cells->InsertNextCell(corners);
-    elements->InsertNextValue(idAt(hexIds, quad));
-    sides->InsertNextValue(VtkFaces[idAt(hexSides, quad)]);
+    elements->InsertNextValue(hexIds[quad]);
+    sides->InsertNextValue(VtkFaces[hexSides[quad]]);
   }
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(used.points);

@@ -7,6 +7,7 @@
 #include "Core/Solvers/SurfaceLaplacian.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepArrays.h"
+#include "HexSweepMemory.h"
 #include "HexSweepReader.h"
 #include "HexSweepWriter.h"
 
@@ -80,7 +81,7 @@ vtkSmartPointer<vtkDoubleArray> vectors(const char* name, const PointsRef& value
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(values.rows());
+  setTuples(array.Get(), values.rows());
   for (Index i = 0; i < values.rows(); ++i)
   {
     array->SetTypedTuple(i, values.row(i).data());
@@ -94,10 +95,10 @@ void copyAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
 {
   const vtkIdType count = static_cast<vtkIdType>(ids.size());
   to->CopyAllOn();
-  to->CopyAllocate(from, count);
+  allocateTuples(from, count, to);
   vtkNew<vtkIdTypeArray> origin;
   origin->SetName(idsName);
-  origin->SetNumberOfValues(count);
+  setTuples(origin.Get(), count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Index id = ids[static_cast<std::size_t>(i)];

@@ -2,7 +2,9 @@
 #include "HexSweepGrid.h"
 
 #include "Core/Common/StoppablePieces.h"
+#include "Core/Geometry/CoordinateRange.h"
 #include "HexSweepArrays.h"
+#include "HexSweepMemory.h"
 #include "HexSweepRun.h"
 
 #include <vtkAlgorithm.h>
@@ -33,7 +35,7 @@ vtkSmartPointer<vtkIdTypeArray> newIds(const char* name, Index count)
 {
   auto array = vtkSmartPointer<vtkIdTypeArray>::New();
   array->SetName(name);
-  array->SetNumberOfValues(count);
+  setTuples(array.Get(), count);
   return array;
 }
 
@@ -70,7 +72,7 @@ vtkSmartPointer<vtkPoints> newPointsOf(const PointsRef& points, int type, const 
 {
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetDataType(type);
-  result->SetNumberOfPoints(points.rows());
+  setTuples(result->GetData(), points.rows());
   auto* to = Array::SafeDownCast(result->GetData())->GetPointer(0);
   using Value = typename Array::ValueType;
   forStoppablePieces(smpFor(), progress, points.size(), ValuesAPiece, [&](Index begin, Index end) {
@@ -86,7 +88,7 @@ void gather(
 {
   const vtkIdType n = static_cast<vtkIdType>(ids.size());
   gathered->CopyAllOn();
-  gathered->CopyAllocate(source, n);
+  allocateTuples(source, n, gathered);
   vtkNew<vtkIdList> from;
   from->SetNumberOfIds(n);
   std::copy(ids.begin(), ids.end(), from->GetPointer(0));
@@ -100,9 +102,12 @@ void gather(
 vtkSmartPointer<vtkPoints> newSweptPoints(
   const PointsRef& points, int precision, const Progress& progress)
 {
-  return precision == vtkAlgorithm::SINGLE_PRECISION
-    ? newPointsOf<vtkFloatArray>(points, VTK_FLOAT, progress)
-    : newPointsOf<vtkDoubleArray>(points, VTK_DOUBLE, progress);
+  if (precision == vtkAlgorithm::SINGLE_PRECISION)
+  {
+    checkFitsSinglePrecision(points);
+    return newPointsOf<vtkFloatArray>(points, VTK_FLOAT, progress);
+  }
+  return newPointsOf<vtkDoubleArray>(points, VTK_DOUBLE, progress);
 }
 
 vtkSmartPointer<vtkIdTypeArray> newSweptConnectivity(const QuadsRef& quads, Index pointsPerLayer,
@@ -147,6 +152,7 @@ void setSweptCells(
     }
   });
   vtkNew<vtkCellArray> cells;
+  requireMemory(static_cast<double>(count)); // types of the cells
   cells->SetData(offsets, connectivity);
   grid->SetCells(VTK_HEXAHEDRON, cells);
 }
@@ -170,7 +176,7 @@ void carryAttributes(vtkDataSetAttributes* source, const std::vector<Index>& ids
   output->CopyAllOn();
   output->CopyGlobalIdsOff();
   output->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
-  output->CopyAllocate(layer, n * layers);
+  allocateTuples(layer, n * layers, output);
   for (Index k = 0; k < layers; ++k)
   {
     reportProgress(progress, static_cast<double>(k) / static_cast<double>(layers));

@@ -2,11 +2,13 @@
 #include "HexSweepHexOutput.h"
 
 #include "Core/Common/Errors.h"
+#include "Core/Common/MemoryBudget.h"
 #include "Core/Common/StoppablePieces.h"
 #include "Core/Interior/InteriorStarts.h"
 #include "Core/Interior/SectionInterior.h"
 #include "Core/Interior/SweptHexes.h"
 #include "HexSweepArrays.h"
+#include "HexSweepAsking.h"
 #include "HexSweepGrid.h"
 #include "HexSweepHexText.h"
 #include "HexSweepQualityArrays.h"
@@ -71,6 +73,9 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   const HexOutputSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* output)
 {
+  checkHexBudget(static_cast<double>(cage.quads.rows()) *
+      static_cast<double>(cage.boundary.numberOfLayers()),
+    "Use coarser quads or fewer layers.");
   const auto method = static_cast<InteriorKind>(settings.method);
   const bool automatic = method == InteriorKind::Automatic;
   InteriorOptions options;
@@ -79,7 +84,7 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   {
     options.polishingRounds = 0;
   }
-  options.parallelFor = smpFor();
+  options.parallelFor = askingFor(progress);
   options.keepQualities = settings.certify;
   if (settings.precision == vtkAlgorithm::SINGLE_PRECISION)
   {

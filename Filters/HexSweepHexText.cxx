@@ -50,7 +50,8 @@ std::string describeInverted(const JudgedHexes& hexes, const std::string& advice
   if (summary.degenerate > 0)
   {
     text += " and " + std::to_string(summary.degenerate) +
-      " are degenerate (an edge without length, or a coordinate that is not finite)";
+      " are degenerate (an edge without length, flat but for rounding, or a coordinate that is "
+      "not finite)";
   }
   return text + "." +
     listFirst(hexes, { Validity::InvertedCorner, Validity::InvertedInside, Validity::Degenerate }) +

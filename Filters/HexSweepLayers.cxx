@@ -4,6 +4,8 @@
 #include "Core/Linking/LayerSpacing.h"
 #include "vtkLayeredSweepAlgorithm.h"
 
+#include <algorithm>
+
 namespace hexsweep
 {
 LayerRequest requestedLayers(vtkLayeredSweepAlgorithm* filter, bool mayBeFree)
@@ -30,7 +32,9 @@ LayerRequest requestedLayers(vtkLayeredSweepAlgorithm* filter, bool mayBeFree)
   else
   {
     const bool isFree = mayBeFree && request.layers == 0;
-    layerFractions(isFree ? 1 : request.layers, request.growth, request.bothEnds);
+    // How many can be made depends on the cap.
+    constexpr Index Tried = 1000;
+    layerFractions(isFree ? 1 : std::min(request.layers, Tried), request.growth, request.bothEnds);
   }
   return request;
 }

@@ -2,6 +2,7 @@
 #include "HexSweepQualityArrays.h"
 
 #include "HexSweepArrays.h"
+#include "HexSweepMemory.h"
 #include "HexSweepWriter.h"
 
 #include <vtkDataSetAttributes.h>
@@ -12,11 +13,11 @@ namespace hexsweep
 QualityArrays::QualityArrays(vtkIdType cells)
 {
   this->ScaledJacobian->SetName(arrays::ScaledJacobian);
-  this->ScaledJacobian->SetNumberOfValues(cells);
+  setTuples(this->ScaledJacobian.Get(), cells);
   this->LowerBound->SetName(arrays::JacobianLowerBound);
-  this->LowerBound->SetNumberOfValues(cells);
+  setTuples(this->LowerBound.Get(), cells);
   this->Verdict->SetName(arrays::Validity);
-  this->Verdict->SetNumberOfValues(cells);
+  setTuples(this->Verdict.Get(), cells);
 }
 
 HexQuality QualityArrays::quality(vtkIdType cell) const

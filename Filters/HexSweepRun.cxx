@@ -2,6 +2,7 @@
 #include "HexSweepRun.h"
 
 #include "HexSweepFailure.h"
+#include "HexSweepInputCheck.h"
 #include "HexSweepThreadPool.h"
 
 #include <vtkAlgorithm.h>
@@ -15,6 +16,7 @@
 #include <vtkVersion.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <new>
@@ -31,6 +33,14 @@ bool continues(vtkAlgorithm* self)
 #else
   return !self->GetAbortExecute();
 #endif
+}
+
+void askWhetherToGoOn(vtkAlgorithm* self)
+{
+  if (!continues(self))
+  {
+    throw Aborted();
+  }
 }
 
 void clearOutputs(vtkInformationVector* outputs)
@@ -109,7 +119,10 @@ std::string chosenArray(vtkAlgorithm* algorithm)
 Progress pipelineProgress(vtkAlgorithm* self, double from, double to)
 {
   return [self, from, to](double fraction) {
-    self->UpdateProgress(from + (to - from) * std::min(std::max(fraction, 0.0), 1.0));
+    // Not a number where it is only asked whether to go on.
+    self->UpdateProgress(std::isnan(fraction)
+        ? self->GetProgress()
+        : from + (to - from) * std::min(std::max(fraction, 0.0), 1.0));
     return continues(self);
   };
 }
@@ -156,9 +169,14 @@ int runFilter(vtkAlgorithm* self, vtkInformationVector* outputs, const std::func
 {
   clearFailure(self);
   std::string problem;
+  std::unique_ptr<char[]> reserve; // for the words, where there is no other memory left
   try
   {
+    reserve.reset(new char[std::size_t{ 1 } << 18]);
+    checkInputs(self);
+    askWhetherToGoOn(self);
     body();
+    askWhetherToGoOn(self); // an abort that came late is none that is not heard
     return 1;
   }
   catch (const Aborted&)
@@ -168,6 +186,7 @@ int runFilter(vtkAlgorithm* self, vtkInformationVector* outputs, const std::func
   }
   catch (const std::bad_alloc&)
   {
+    reserve.reset();
     problem = "not enough memory for this mesh. Use a coarser one or fewer layers.";
   }
   catch (const std::exception& error)

@@ -55,8 +55,8 @@ Progress pipelineProgress(vtkAlgorithm* self, double from = 0.0, double to = 1.0
 ParallelFor smpFor();
 
 /**
- * Runs the body of a RequestData: what Core throws becomes one error on `self` (see
- * reportFailure()) and empty outputs; an abort gives empty outputs silently.
+ * Runs the body of a RequestData after checkInputs(): what Core throws becomes one error on `self`
+ * (see reportFailure()) and empty outputs; an abort gives empty outputs silently.
  *
  * @return what RequestData is to return: 1, or 0 after an error.
  */

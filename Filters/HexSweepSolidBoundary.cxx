@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepSolidBoundary.h"
 
+#include "HexSweepMemory.h"
 #include "HexSweepReader.h"
 #include "HexSweepWriter.h"
 
@@ -125,6 +126,7 @@ BoundaryCells volumeSides(vtkDataSet* data, CellDimensions& dimensions)
   {
     bare->GetCellData()->AddArray(ghosts);
   }
+  requireCopies(data, 4.0);
   vtkNew<vtkDataSetSurfaceFilter> filter;
   filter->SetInputData(bare);
   filter->DelegationOff();

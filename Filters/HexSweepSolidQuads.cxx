@@ -3,6 +3,7 @@
 
 #include "Core/Solids/FaceQuads.h"
 #include "Core/Solids/SourceQuads.h"
+#include "HexSweepAsking.h"
 #include "HexSweepReader.h"
 #include "HexSweepRun.h"
 
@@ -61,6 +62,7 @@ SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topol
     return result;
   }
   return madeQuads(makeSourceQuads(
-    input, solid.body.surface, topology, size, progress, withBorders, smpFor(), chordTolerance));
+    input, solid.body.surface, topology, size, progress, withBorders, askingFor(progress),
+    chordTolerance));
 }
 }

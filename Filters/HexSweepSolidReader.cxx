@@ -2,6 +2,7 @@
 #include "HexSweepSolidReader.h"
 
 #include "HexSweepArrays.h"
+#include "HexSweepIds.h"
 #include "HexSweepReader.h"
 #include "HexSweepSolidBoundary.h"
 
@@ -17,7 +18,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
-#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace hexsweep
@@ -132,21 +133,19 @@ std::vector<Index> readCellIds(vtkDataSet* data, vtkAbstractArray* array, const 
                : std::string("are no numbers")) +
       ". A " + what + " id is one whole number a cell.");
   }
-  const bool real = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-  constexpr double Largest = 9007199254740992.0; // 2^53: whole numbers up to here are exact
+  const WholeNumbers values(numbers);
   std::vector<Index> ids;
   ids.reserve(cells.size());
   for (const Index cell : cells)
   {
-    const double value = numbers->GetComponent(cell, 0);
-    if (real && !(std::abs(value) <= Largest && std::floor(value) == value))
+    const std::optional<Index> value = values.at(cell);
+    if (!value)
     {
-      throw InvalidInput(start + "are real numbers that are not whole: " + describe(value) +
-        " in cell " + std::to_string(cell) + ". Choose the array that numbers the " + what + "s.");
+      throw InvalidInput(start + "are not whole, or too large: " +
+        describe(numbers->GetComponent(cell, 0)) + " in cell " + std::to_string(cell) +
+        ". Choose the array that numbers the " + what + "s.");
     }
-    ids.push_back(std::abs(value) < Largest
-        ? static_cast<Index>(value)
-        : static_cast<Index>(numbers->GetVariantValue(cell).ToLongLong()));
+    ids.push_back(*value);
   }
   return ids;
 }

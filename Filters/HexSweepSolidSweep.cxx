@@ -11,6 +11,7 @@
 #include "Core/Solids/SourceQuads.h"
 #include "Core/Solids/SweepSize.h"
 #include "HexSweepArrays.h"
+#include "HexSweepAsking.h"
 #include "HexSweepBoundaryGrid.h"
 #include "HexSweepCapDiskGrid.h"
 #include "HexSweepChoices.h"
@@ -83,6 +84,12 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
       ". Set Size to a positive length, or to 0 for one that fits the solid.");
   }
   const double wanted = settings.quadSize != 0.0 ? settings.quadSize : settings.size;
+  if (wanted > 0.0 && !solid.sourceQuads)
+  {
+    checkSweepBudget(expectedQuads(solid.body.surface, topology, wanted),
+      sideLength(solid.body.surface, topology), settings.size > 0.0 ? settings.size : wanted,
+      settings.layers);
+  }
   const auto quadsOf = [&](double size) {
     return sourceQuads(solid, topology, size, settings.chordTolerance, progress, withBorders);
   };
@@ -91,6 +98,11 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
   result.size = settings.size > 0.0 ? settings.size : width;
   const bool isFree =
     settings.layers.layers == 0 && settings.layers.size == 0.0 && settings.layers.positions.empty();
+  if (!isFree || settings.size > 0.0)
+  {
+    checkSweepBudget(static_cast<double>(result.quads.mesh.quads.rows()),
+      sideLength(solid.body.surface, topology), result.size, settings.layers);
+  }
   if (!isFree)
   {
     return result;
@@ -191,8 +203,8 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
     sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
     settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
-    settings.weights, settings.improvement, sized.quads.imprinted, {}, smpFor() };
-  return settings.hexes.ensureValid ? makeUnhinderedCage(std::move(input), smpFor(), progress)
+    settings.weights, settings.improvement, sized.quads.imprinted, {}, askingFor(progress) };
+  return settings.hexes.ensureValid ? makeUnhinderedCage(std::move(input), askingFor(progress), progress)
                                     : makeSolidCage(input, progress);
 }
 
@@ -215,7 +227,7 @@ SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& top
   if (solid.body.geometry)
   {
     snap = snapToGeometry(solid.body.surface, topology, *solid.body.geometry, cage,
-      progressPart(progress, 0.48, 0.5), smpFor());
+      progressPart(progress, 0.48, 0.5), askingFor(progress));
     stages.finish("Snap to geometry");
   }
   if (!settings.targetIsNamed)

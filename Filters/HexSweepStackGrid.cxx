@@ -2,6 +2,7 @@
 #include "HexSweepStackGrid.h"
 
 #include "HexSweepArrays.h"
+#include "HexSweepMemory.h"
 #include "HexSweepWriter.h"
 
 #include <vtkCellData.h>
@@ -24,7 +25,7 @@ vtkSmartPointer<vtkIdTypeArray> stackIds(const char* name, const std::vector<Ind
 {
   auto array = vtkSmartPointer<vtkIdTypeArray>::New();
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  setTuples(array.Get(), static_cast<vtkIdType>(ids.size()));
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
     array->SetValue(static_cast<vtkIdType>(i), ids[i]);

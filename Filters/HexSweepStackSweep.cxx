@@ -6,6 +6,7 @@
 #include "Core/Hexahedra/HexUntangling.h"
 #include "Core/Stacks/StackSweep.h"
 #include "HexSweepArrays.h"
+#include "HexSweepAsking.h"
 #include "HexSweepFineBody.h"
 #include "HexSweepHexText.h"
 #include "HexSweepQualityArrays.h"
@@ -55,7 +56,8 @@ std::optional<Eigen::RowVector3d> givenDirection(
   return direction.normalized().cwiseProduct(body.solid.reflection.signs);
 }
 
-StackOptions stackOptions(const SolidToSweep& solid, const SolidSweepSettings& settings)
+StackOptions stackOptions(
+  const SolidToSweep& solid, const SolidSweepSettings& settings, const Progress& progress)
 {
   StackOptions options;
   options.size = settings.size;
@@ -67,7 +69,7 @@ StackOptions stackOptions(const SolidToSweep& solid, const SolidSweepSettings& s
   options.ensureValid = settings.hexes.ensureValid;
   options.improveQuality = settings.hexes.improveQuality;
   options.geometry = solid.body.geometry.get();
-  options.parallelFor = smpFor();
+  options.parallelFor = askingFor(progress);
   return options;
 }
 
@@ -308,7 +310,7 @@ std::vector<std::string> sweepSeveralCaps(const SolidToSweep& solid, const Stack
     facets = std::move(finer);
   }
   stages.finish("Facets");
-  StackOptions options = stackOptions(solid, settings);
+  StackOptions options = stackOptions(solid, settings, progress);
   if (facets->space)
   {
     // The true surfaces are where the solid is bent.

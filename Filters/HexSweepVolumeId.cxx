@@ -2,6 +2,8 @@
 #include "HexSweepVolumeId.h"
 
 #include "HexSweepArrays.h"
+#include "HexSweepIds.h"
+#include "HexSweepMemory.h"
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
@@ -12,7 +14,6 @@
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <cmath>
 #include <optional>
 
 namespace hexsweep
@@ -20,14 +21,15 @@ namespace hexsweep
 namespace
 {
 /// The value that an array has on all cells of one dimension.
-std::optional<double> commonValue(vtkDataSet* data, const char* name, int dimension)
+std::optional<Index> commonValue(vtkDataSet* data, const char* name, int dimension)
 {
   vtkDataArray* array = data->GetCellData()->GetArray(name);
   if (!array || array->GetNumberOfComponents() != 1)
   {
     return std::nullopt;
   }
-  std::optional<double> value;
+  const WholeNumbers values(array);
+  std::optional<Index> value;
   vtkNew<vtkGenericCell> type;
   for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
   {
@@ -36,8 +38,8 @@ std::optional<double> commonValue(vtkDataSet* data, const char* name, int dimens
     {
       continue;
     }
-    const double here = array->GetComponent(c, 0);
-    if (std::floor(here) != here || (value && *value != here))
+    const std::optional<Index> here = values.at(c);
+    if (!here || (value && value != here))
     {
       return std::nullopt;
     }
@@ -49,12 +51,12 @@ std::optional<double> commonValue(vtkDataSet* data, const char* name, int dimens
 
 void carryVolumeId(vtkDataSet* solid, vtkUnstructuredGrid* hexes)
 {
-  std::optional<double> id = commonValue(solid, arrays::VolumeId, 3);
+  std::optional<Index> id = commonValue(solid, arrays::VolumeId, 3);
   id = id ? id : commonValue(solid, arrays::CellEntityIds, 3);
   id = id ? id : commonValue(solid, arrays::VolumeId, 2);
   if (id)
   {
-    setVolumeId(static_cast<Index>(*id), hexes);
+    setVolumeId(*id, hexes);
   }
 }
 
@@ -62,7 +64,7 @@ void setVolumeId(Index id, vtkUnstructuredGrid* cells)
 {
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(arrays::VolumeId);
-  ids->SetNumberOfValues(cells->GetNumberOfCells());
+  setTuples(ids.Get(), cells->GetNumberOfCells());
   ids->FillValue(id);
   cells->GetCellData()->AddArray(ids);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepWriter.h"
 
+#include "Core/Geometry/CoordinateRange.h"
+#include "HexSweepMemory.h"
+
 #include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
@@ -24,7 +27,7 @@ void addValues(vtkFieldData* fieldData, const char* name, const std::vector<Valu
 {
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  setTuples(array.Get(), static_cast<vtkIdType>(values.size()));
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     array->SetValue(static_cast<vtkIdType>(i), values[i]);
@@ -36,9 +39,13 @@ void addValues(vtkFieldData* fieldData, const char* name, const std::vector<Valu
 
 vtkPoints* newPoints(const PointsRef& points, int precision)
 {
-  vtkPoints* result =
-    vtkPoints::New(precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
-  result->SetNumberOfPoints(points.rows());
+  const bool isSingle = precision == vtkAlgorithm::SINGLE_PRECISION;
+  if (isSingle)
+  {
+    checkFitsSinglePrecision(points);
+  }
+  vtkPoints* result = vtkPoints::New(isSingle ? VTK_FLOAT : VTK_DOUBLE);
+  setTuples(result->GetData(), points.rows());
   for (Index i = 0; i < points.rows(); ++i)
   {
     result->SetPoint(i, points.row(i).data());
@@ -49,9 +56,9 @@ vtkPoints* newPoints(const PointsRef& points, int precision)
 void setCells(vtkUnstructuredGrid* grid, const FacesRef& cells, int cellType)
 {
   vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(cells.size());
+  setTuples(connectivity.Get(), cells.size());
   vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(cells.rows() + 1);
+  setTuples(offsets.Get(), cells.rows() + 1);
   for (Index c = 0; c < cells.rows(); ++c)
   {
     offsets->SetValue(c, c * cells.cols());

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHexGridWriter.h"
 
+#include "Core/Common/Errors.h"
+
 #include "HexSweepBlockWriting.h"
+#include "HexSweepInputCheck.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataCompressor.h>
 #include <vtkErrorCode.h>
 #include <vtkObjectFactory.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <vtksys/SystemTools.hxx>
 
 #include <vtkInformation.h>
 #include <vtkInformationDoubleVectorKey.h>
@@ -17,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <type_traits>
 #include <vector>
 
@@ -78,6 +85,34 @@ void rememberRange(vtkDataArray* array)
   components->SetInformationObject(0, component);
   information->Set(vtkAbstractArray::PER_COMPONENT(), components);
 }
+}
+
+//------------------------------------------------------------------------------
+int vtkHexGridWriter::WriteInternal()
+{
+  try
+  {
+    hexsweep::checkData(this->GetInput(), "input");
+  }
+  catch (const hexsweep::InvalidInput& problem)
+  {
+    // Before a file is opened: an old one of this name stays.
+    vtkErrorMacro(<< problem.what());
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 0;
+  }
+  try
+  {
+    return this->Superclass::WriteInternal();
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("not enough memory to write this mesh.");
+    this->SetErrorCode(vtkErrorCode::UserError);
+    this->CloseStream();
+    vtksys::SystemTools::RemoveFile(this->FileName ? this->FileName : "");
+    return 0;
+  }
 }
 
 //------------------------------------------------------------------------------

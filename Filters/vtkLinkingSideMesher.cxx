@@ -3,8 +3,10 @@
 
 #include "Core/Common/Constants.h"
 #include "Core/Linking/LinkingSides.h"
+#include "Core/Solids/SweepSize.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepArrays.h"
+#include "HexSweepAsking.h"
 #include "HexSweepChoices.h"
 #include "HexSweepInteriorReport.h"
 #include "HexSweepLayers.h"
@@ -83,8 +85,10 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
       this->MatchTolerance, this->FeatureAngle * Pi / 180.0);
   clock.finish("Read");
   const std::vector<SideTube> sides = splitLinkingSides(surface, quads.points, topology.loops);
+  checkSweepBudget(
+    static_cast<double>(quads.quads.rows()), sideLength(sides), layers.size, layers);
   const LinkingMesh linking = meshLinkingSides(quads.points, topology.loops, sides, layers,
-    this->MatchTolerance, pipelineProgress(this, 0.1, 0.95), smpFor());
+    this->MatchTolerance, pipelineProgress(this, 0.1, 0.95), askingFor(pipelineProgress(this)));
 
   clock.finish("Linking sides");
   auto* output = vtkUnstructuredGrid::GetData(outputs);

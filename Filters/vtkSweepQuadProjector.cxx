@@ -7,8 +7,10 @@
 #include "Core/Surfaces/QuadHalving.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 #include "HexSweepArrays.h"
+#include "HexSweepAsking.h"
 #include "HexSweepCapDiskGrid.h"
 #include "HexSweepChoices.h"
+#include "HexSweepMemory.h"
 #include "HexSweepProjectionReport.h"
 #include "HexSweepReader.h"
 #include "HexSweepRun.h"
@@ -135,10 +137,10 @@ void writeQuads(const SweepProjection& projection, const Caps& caps, vtkDataSet*
   setCells(output, quads, VTK_QUAD);
   output->GetPointData()->PassData(source->GetPointData());
   vtkCellData* cellData = output->GetCellData();
-  cellData->CopyAllocate(source->GetCellData(), quads.rows());
+  allocateTuples(source->GetCellData(), quads.rows(), cellData);
   vtkNew<vtkDoubleArray> jacobian;
   jacobian->SetName(arrays::ScaledJacobian);
-  jacobian->SetNumberOfValues(quads.rows());
+  setTuples(jacobian.Get(), quads.rows());
   for (Index q = 0; q < quads.rows(); ++q)
   {
     cellData->CopyData(source->GetCellData(), caps.quadCells[static_cast<std::size_t>(q)], q);
@@ -192,7 +194,7 @@ void vtkSweepQuadProjector::Execute(vtkInformationVector** inputs, vtkInformatio
   input.singlePrecision = this->OutputPointsPrecision == SINGLE_PRECISION;
   input.ensureValid = this->EnsureValid;
   input.improveQuality = this->ImproveQuality;
-  input.parallelFor = smpFor();
+  input.parallelFor = askingFor(pipelineProgress(this));
   if (method != ProjectionMethod::AffineLeastSquares)
   {
     if (this->DiskMaps == FROM_INPUT)

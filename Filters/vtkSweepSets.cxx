@@ -3,6 +3,7 @@
 
 #include "HexSweepBoundarySets.h"
 #include "HexSweepLists.h"
+#include "HexSweepMemory.h"
 #include "HexSweepRun.h"
 
 #include <vtkCompositeDataSet.h>
@@ -67,6 +68,9 @@ int vtkSweepSets::RequestData(
     const std::vector<hexsweep::BoundarySet> sets =
       hexsweep::boundarySets(hexes, boundary, this->RoleSets, this->SetIds);
 
+    // Each quad is in two sets, each with sides and nodes, whose arrays grow by doubling.
+    hexsweep::requireCopies(hexes, 1.5);
+    hexsweep::requireCopies(boundary, 8.0);
     vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
     vtkNew<vtkMultiBlockDataSet> elementBlocks;
     vtkNew<vtkMultiBlockDataSet> sideSets;

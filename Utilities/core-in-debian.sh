@@ -21,7 +21,7 @@ make_debian_root "$1" "${3:-$(. /etc/os-release && echo "$VERSION_CODENAME")}" "
 say "packages"
 inside apt-get update -q
 inside apt-get install -q -y --no-install-recommends \
-  g++ cmake ninja-build libeigen3-dev libopenmesh-dev libgtest-dev
+  g++ cmake ninja-build libeigen3-dev libopenmesh-dev libgtest-dev libboost-dev
 if inside find / -xdev -name 'VTKConfig.cmake' -o -xdev -iname 'vtk-config.cmake' | grep .; then
   echo "core-in-debian.sh: there is a VTK in $root, so this would prove nothing" >&2
   exit 1

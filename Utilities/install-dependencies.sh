@@ -17,7 +17,7 @@ packages=(
   # what the rendering and image modules of that VTK name as their targets
   libfreetype-dev libpng-dev libjpeg-dev libtiff-dev liblz4-dev liblzma-dev libutfcpp-dev
   # the numerics and their tests
-  libeigen3-dev libopenmesh-dev coinor-libcbc-dev libgtest-dev
+  libeigen3-dev libopenmesh-dev coinor-libcbc-dev libgtest-dev libboost-dev
   # the CAD kernel, and TBB and fontconfig, which its CMake files name
   libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev libfontconfig-dev
   # programs and packages that read what is written, for tests: gmsh, meshio

@@ -4,6 +4,7 @@
 #include "Core/Common/Errors.h"
 
 #include "HexSweepArrays.h"
+#include "HexSweepIds.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace hexsweep
@@ -63,15 +65,16 @@ std::vector<vtkIdType> numbers(
   {
     refuse();
   }
+  const WholeNumbers all(array);
   std::vector<vtkIdType> result(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto number = static_cast<vtkIdType>(array->GetComponent(i, 0));
-    if (number < first || number > last)
+    const std::optional<Index> number = all.at(i);
+    if (!number || *number < first || *number > last)
     {
       refuse();
     }
-    result[static_cast<std::size_t>(i)] = number;
+    result[static_cast<std::size_t>(i)] = *number;
   }
   return result;
 }

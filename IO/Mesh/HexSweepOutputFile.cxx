@@ -18,8 +18,8 @@ constexpr std::size_t LongestNumber = 32;
 
 OutputFile::OutputFile(const std::string& name)
   : Name(name)
-  , File(vtksys::SystemTools::Fopen(name, "wb"))
   , Buffer(BufferSize)
+  , File(vtksys::SystemTools::Fopen(name, "wb"))
 {
   if (!this->File)
   {

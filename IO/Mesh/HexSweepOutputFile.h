@@ -63,8 +63,8 @@ private:
   [[noreturn]] void fail() const;
 
   std::string Name;
+  std::vector<char> Buffer; // before the file: where there is no room for it, there is no file either
   std::FILE* File;
-  std::vector<char> Buffer;
   std::size_t Used = 0;
 };
 }

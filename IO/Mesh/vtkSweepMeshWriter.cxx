@@ -3,6 +3,7 @@
 
 #include "Core/Common/Errors.h"
 
+#include "HexSweepInputCheck.h"
 #include "HexSweepMeshSets.h"
 #include "HexSweepOutputFile.h"
 
@@ -10,6 +11,8 @@
 #include <vtkDataObject.h>
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
+
+#include <new>
 
 vtkSweepMeshWriter::~vtkSweepMeshWriter()
 {
@@ -34,6 +37,7 @@ void vtkSweepMeshWriter::WriteData()
   }
   try
   {
+    hexsweep::checkData(this->GetInput(), "input");
     const hexsweep::MeshSets mesh = hexsweep::meshSets(this->GetInput());
     hexsweep::OutputFile file(this->FileName);
     this->WriteMesh(mesh, file, [this](double fraction) {
@@ -54,6 +58,11 @@ void vtkSweepMeshWriter::WriteData()
   catch (const hexsweep::InvalidInput& problem)
   {
     vtkErrorMacro(<< problem.what());
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("not enough memory to write this mesh.");
     this->SetErrorCode(vtkErrorCode::UserError);
   }
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/SweepSize.h"
 
+#include "Core/Common/MemoryBudget.h"
 #include "Core/Geometry/LoopGeometry.h"
+#include "Core/Surfaces/SurfaceArea.h"
 
 #include <Eigen/Geometry>
 
@@ -43,6 +45,18 @@ double sideLength(const SolidSurface& solid, const SweepTopology& topology)
   return area / loops;
 }
 
+double sideLength(const std::vector<SideTube>& sides)
+{
+  double area = 0.0;
+  double loops = 0.0;
+  for (const SideTube& side : sides)
+  {
+    area += surfaceArea(side.surface);
+    loops += closedLength(loopPoints(side.surface.points, side.sourceLoop));
+  }
+  return area / loops;
+}
+
 double meanQuadWidth(const QuadMesh& quads)
 {
   double area = 0.0;
@@ -62,6 +76,26 @@ double meanHexWidth(
   const double growth =
     std::sqrt(areaOf(solid, topology.targetTriangles) / areaOf(solid, topology.sourceTriangles));
   return 0.5 * (1.0 + growth) * meanQuadWidth(sourceQuads);
+}
+
+double expectedQuads(const SolidSurface& solid, const SweepTopology& topology, double size)
+{
+  return areaOf(solid, topology.sourceTriangles) / size / size;
+}
+
+void checkSweepBudget(double quads, double length, double size, const LayerRequest& layers)
+{
+  double count = length / (layers.size > 0.0 ? layers.size : size);
+  if (!layers.positions.empty())
+  {
+    count = static_cast<double>(layers.positions.size() + 1);
+  }
+  else if (layers.size == 0.0 && layers.layers > 0)
+  {
+    count = static_cast<double>(layers.layers);
+  }
+  checkHexBudget(std::max(1.0, quads) * std::max(1.0, count),
+    "Set Size, QuadSize or LayerSize to larger lengths, or NumberOfLayers to fewer.");
 }
 
 double coarseningFor(double length, Index quads, double width, Index most)

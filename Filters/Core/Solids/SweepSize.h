@@ -6,6 +6,7 @@
 #ifndef hexsweep_SweepSize_h
 #define hexsweep_SweepSize_h
 
+#include "Core/Linking/LinkingSides.h"
 #include "Core/Solids/SweepTopology.h"
 
 namespace hexsweep
@@ -15,6 +16,8 @@ constexpr Index MostChosenHexes = 250000;
 
 /// Length of the sides from source to target: their area over the mean length of their loops.
 double sideLength(const SolidSurface& solid, const SweepTopology& topology);
+/// The same over the length of their source loops.
+double sideLength(const std::vector<SideTube>& sides);
 
 /// Edge of a square with the mean area of the quads, cut into triangles.
 double meanQuadWidth(const QuadMesh& quads);
@@ -23,6 +26,18 @@ double meanQuadWidth(const QuadMesh& quads);
 /// area, else the mean of that and its share on the target.
 double meanHexWidth(
   const SolidSurface& solid, const SweepTopology& topology, const QuadMesh& sourceQuads);
+
+/// How many quads of one edge length fit on the source cap.
+double expectedQuads(const SolidSurface& solid, const SweepTopology& topology, double size);
+
+/**
+ * Refuses layers that give more hexahedra than there is memory for, before anything is made of them;
+ * see checkHexBudget().
+ *
+ * @param quads of the cap. @param length of the sides.
+ * @param size  of layers where `layers` has none of its own and no number; > 0.
+ */
+void checkSweepBudget(double quads, double length, double size, const LayerRequest& layers);
 
 /**
  * By how much quads and layers must be longer to stay within a number of hexahedra.

@@ -9,6 +9,10 @@ namespace hexsweep
 {
 namespace
 {
+/// Between two levels: more are more than there is memory for, and must not overflow before that is
+/// told.
+constexpr double MostLayers = 1e15;
+
 /// Place of a level among those over a node.
 Index entryOf(const std::vector<SheetNode>& node, Index level)
 {
@@ -261,9 +265,25 @@ LayerCounts countLayers(const StackPlane& plane, const StackLevels& levels,
   LayerCounts result;
   for (const auto& [gap, height] : gaps)
   {
-    result[gap] = std::max<Index>(1, std::llround(height / layerSize));
+    result[gap] = std::max<Index>(1, std::llround(std::min(height / layerSize, MostLayers)));
   }
   return result;
+}
+
+double countHexes(const StackPlane& plane, const StackLevels& levels, const LayerCounts& layers)
+{
+  double hexes = 0.0;
+  for (const Index region : plane.regionOf)
+  {
+    for (const std::vector<Index>& interval : levels.intervals[static_cast<std::size_t>(region)])
+    {
+      for (std::size_t g = 0; g + 1 < interval.size(); ++g)
+      {
+        hexes += static_cast<double>(layers.at({ interval[g], interval[g + 1] }));
+      }
+    }
+  }
+  return hexes;
 }
 
 StackColumns makeColumns(const StackPlane& plane, const StackArrangement& arrangement,

@@ -27,6 +27,9 @@ using LayerCounts = std::map<std::pair<Index, Index>, Index>;
 LayerCounts countLayers(const StackPlane& plane, const StackLevels& levels,
   const StackSheets& sheets, double layerSize, Index layers = 0);
 
+/// How many hexahedra makeColumns() will make.
+double countHexes(const StackPlane& plane, const StackLevels& levels, const LayerCounts& layers);
+
 /// A node of the columns: a part of the way between two levels over a node of the plane.
 struct ColumnNode
 {

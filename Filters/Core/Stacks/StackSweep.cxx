@@ -3,6 +3,7 @@
 
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
+#include "Core/Common/MemoryBudget.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Solids/SweepSize.h"
@@ -24,6 +25,8 @@ constexpr double JoinedLevels = 0.3;    // of the layers' thickness
 constexpr double LevelGap = 0.3;        // of the layers' thickness
 constexpr double SnapReach = 0.25;      // of the size
 constexpr double TellVolume = 0.01;
+constexpr const char* FewerHexes =
+  "Set Size and LayerSize to larger lengths, or NumberOfLayers to fewer.";
 constexpr int SizeTrials = 4;
 constexpr double SizeSlack = 1.03;
 
@@ -81,8 +84,11 @@ StackLayout layOut(const SolidSurface& solid, const CapLikeFaces& faces, const P
   clock.finish("Quads");
   layout.sheets = placeSheets(
     layout.plane.plane, layout.arrangement, layout.levels, placed.heights, LevelGap * thickness);
-  layout.columns = makeColumns(layout.plane.plane, layout.arrangement, layout.levels, layout.sheets,
-    countLayers(layout.plane.plane, layout.levels, layout.sheets, thickness, options.layers));
+  const LayerCounts layers =
+    countLayers(layout.plane.plane, layout.levels, layout.sheets, thickness, options.layers);
+  checkHexBudget(countHexes(layout.plane.plane, layout.levels, layers), FewerHexes);
+  layout.columns = makeColumns(
+    layout.plane.plane, layout.arrangement, layout.levels, layout.sheets, layers);
   clock.finish("Columns");
   return layout;
 }
@@ -313,6 +319,12 @@ StackMesh sweepStack(const SolidSurface& solid, const CapLikeFaces& faces,
   checkStackOptions(faces, options);
   StageClock clock;
   PlacedSolid placed(solid, faces);
+  if (options.size > 0.0)
+  {
+    checkHexBudget(enclosedVolume(solid.points, solid.triangles) / options.size / options.size /
+        (options.layers > 0 ? placed.extent() : thicknessOf(options, options.size)),
+      FewerHexes);
+  }
   StackMesh mesh;
   mesh.size = options.size > 0.0 ? options.size : sizeOf(solid, faces, placed);
   clock.finish("Size");

@@ -21,7 +21,7 @@ enum class Validity : unsigned char
   InvertedCorner = 1, ///< the Jacobian of a corner is not positive
   InvertedInside = 2, ///< positive corners, but not positive somewhere inside (proved)
   Undecided = 3,      ///< positive corners, nothing proved
-  Degenerate = 4,     ///< an edge without length, or a coordinate that is not finite
+  Degenerate = 4,     ///< an edge without length, a coordinate not finite, flat but for rounding
   NotJudged = 5       ///< not a hexahedron with straight edges
 };
 

@@ -29,6 +29,22 @@ _EPILOG = """Exit status: 0 certified, 2 meshed but not certified, 1 refused, fa
 _EPILOG_CHECKING = """Exit status: 0 all solid cells are certified hexahedra, 2 some are not, 1 refused, failed or
 wrong usage."""
 
+# The numbers that a filter takes.
+_LARGEST = 2**63 - 1
+_MOST_THREADS = 4096
+
+
+def _whole(text):
+    """A whole number that a filter takes; others would be an overflow in the midst of the work."""
+    number = int(text)
+    if not -_LARGEST - 1 <= number <= _LARGEST:
+        raise argparse.ArgumentTypeError(f"{text} is too large a number: give one up to {_LARGEST}")
+    return number
+
+
+_whole.__name__ = "int"  # in argparse's words, and in the help
+
+
 # These tell faces apart, so they are for listing too.
 _OF_FACES = ("feature_angle", "tolerance")
 
@@ -48,6 +64,8 @@ def parse(words):
     options.command = command
     if command == "mesh" and not (options.output or options.source):
         options.command = "faces"
+    if getattr(options, "threads", None) is not None and not 1 <= options.threads <= _MOST_THREADS:
+        parser.error(f"--threads {options.threads}: give 1 to {_MOST_THREADS}, or leave it out")
     if command != "check":
         options.settings = _settings(options)
     if options.command == "mesh":
@@ -90,7 +108,7 @@ def _faces_parser():
 def _check_parser():
     parser = _new_parser("hexsweep check", _CHECKING, _EPILOG_CHECKING)
     parser.add_argument("mesh", help="a mesh of hexahedra")
-    parser.add_argument("--threads", type=int, metavar="N", help="how many to use (VTK's choice)")
+    parser.add_argument("--threads", type=_whole, metavar="N", help="how many to use (VTK's choice)")
     _add_reports(parser)
     return parser
 
@@ -99,12 +117,12 @@ def _mesh_parser():
     parser = _new_parser("hexsweep", _DESCRIPTION, _EPILOG)
     _add_solid(parser, [keyword for keyword, *_ in settings.SETTINGS])
     parser.add_argument(
-        "--threads", type=int, metavar="N", help="how many to use (VTK's choice); the mesh is the same"
+        "--threads", type=_whole, metavar="N", help="how many to use (VTK's choice); the mesh is the same"
     )
     parser.add_argument("-o", "--output", metavar="FILE", help="what to write")
-    parser.add_argument("--source", type=int, nargs="+", metavar="ID", help="the source faces (found)")
-    parser.add_argument("--target", type=int, nargs="+", metavar="ID", help="the target faces (found)")
-    parser.add_argument("--volume", dest="volumes", type=int, nargs="+", metavar="ID", help="bodies (all)")
+    parser.add_argument("--source", type=_whole, nargs="+", metavar="ID", help="the source faces (found)")
+    parser.add_argument("--target", type=_whole, nargs="+", metavar="ID", help="the target faces (found)")
+    parser.add_argument("--volume", dest="volumes", type=_whole, nargs="+", metavar="ID", help="bodies (all)")
     parser.add_argument(
         "--separate", action="store_true", help="bodies that touch: each meshed by itself (one conforming mesh)"
     )
@@ -138,7 +156,8 @@ def _add_solid(parser, keywords):
     )
     for keyword, _, kind, text in settings.SETTINGS:
         if keyword in keywords:
-            parser.add_argument(settings.option(keyword), type=kind, metavar=kind.__name__, help=text)
+            own = _whole if kind is int else kind
+            parser.add_argument(settings.option(keyword), type=own, metavar=kind.__name__, help=text)
 
 
 def _add_formats(parser):
@@ -168,4 +187,4 @@ def _named_id(text):
     name, mark, number = text.rpartition("=")
     if not mark or not name or not number.strip().isdigit():
         raise argparse.ArgumentTypeError(f"{text!r} is not NAME=ID, with a whole number above 0")
-    return name, int(number)
+    return name, _whole(number)

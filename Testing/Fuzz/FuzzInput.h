@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief Structured inputs from the bytes of a fuzzer: numbers, and small meshes that are damaged.
+ */
+#ifndef FuzzInput_h
+#define FuzzInput_h
+
+#include "Core/Common/Mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace fuzz
+{
+using hexsweep::Index;
+using hexsweep::Points;
+
+/// Takes numbers off the bytes; zeros when they are used up, so that every input means something.
+class Input
+{
+public:
+  Input(const std::uint8_t* data, std::size_t size)
+    : Data(data)
+    , Size(size)
+  {
+  }
+
+  bool isEmpty() const { return this->Used >= this->Size; }
+  std::uint8_t byte() { return this->isEmpty() ? std::uint8_t{ 0 } : this->Data[this->Used++]; }
+  /// In [from, to].
+  Index whole(Index from, Index to);
+  /// In [0, 1].
+  double share();
+  /// Any bits: not a number and infinity too.
+  double bits();
+  /// One of the numbers that programs stumble over, or any.
+  double special();
+
+private:
+  const std::uint8_t* Data;
+  std::size_t Size;
+  std::size_t Used = 0;
+};
+
+/// Runs the code under test: it may refuse its input by one of Core's errors, and do nothing else.
+void expectOrderly(const std::function<void()>& work);
+
+/**
+ * Up to six damages of a mesh: faces left out, doubled and turned over; corners welded, torn apart and
+ * drawn together; coordinates shaken, and replaced by special numbers; the whole moved and scaled.
+ * Corners stay rows of the points. At least one face is left.
+ */
+template <typename Faces>
+void damage(Input& input, Points& points, Faces& faces);
+
+/// Damages of places alone.
+void damagePoints(Input& input, Points& points);
+}
+
+#endif

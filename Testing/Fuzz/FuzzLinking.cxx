@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Linking sides as triangles: joined, split into tubes, meshed with columns.
+#include "FuzzInput.h"
+
+#include "Core/Geometry/CoordinateRange.h"
+#include "Core/Linking/LinkingSides.h"
+#include "Core/Linking/LinkingSurface.h"
+#include "Core/Surfaces/QuadHalving.h"
+#include "Core/Surfaces/SurfaceTopology.h"
+#include "Support/SweepMeshes.h"
+
+#include <cmath>
+
+namespace
+{
+using namespace hexsweep;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  fuzz::Input input(data, size);
+  const bool hole = input.whole(0, 1) == 1;
+  const double bend = input.share();
+  test::Sweep sweep = test::makeSweep(3, 3, hole,
+    test::evenLayers(static_cast<int>(input.whole(1, 3))), [=](double x, double y, double t) {
+      return Eigen::RowVector3d(x * (1.0 + bend * t), y + bend * t * t, 2.0 * t);
+    });
+  LinkingSurface given;
+  given.mesh = { sweep.linkingPoints, halveQuads(sweep.linkingPoints, sweep.linkingQuads) };
+  fuzz::damage(input, given.mesh.points, given.mesh.triangles);
+  for (Index t = 0; t < given.mesh.triangles.rows() && bend > 0.5; ++t)
+  {
+    given.faceIds.push_back(input.whole(0, 2));
+  }
+  LayerRequest request;
+  request.layers = input.whole(0, 5);
+  request.size = input.whole(0, 3) == 0 ? input.special() : 0.0;
+  request.growth = input.whole(0, 3) == 0 ? input.special() : 1.0;
+  fuzz::expectOrderly([&] {
+    checkCoordinates(given.mesh.points, given.mesh.triangles, "linking surface");
+    const SurfaceTopology topology =
+      checkSurface(sweep.quads, sweep.source.rows(), "source quads");
+    const LinkingSurface surface = joinLinkingSurface(given, 1e-6, 0.5);
+    const std::vector<SideTube> sides = splitLinkingSides(surface, sweep.source, topology.loops);
+    if (!(request.size > 0.0 && request.size < 1e-3))
+    {
+      meshLinkingSides(sweep.source, topology.loops, sides, request);
+    }
+  });
+  return 0;
+}

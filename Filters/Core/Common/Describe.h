@@ -8,14 +8,20 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
 namespace hexsweep
 {
-/// Shortest text with up to 9 significant digits, e.g. "0.25" or "1e-06".
+/// Shortest text with up to 9 significant digits, e.g. "0.25" or "1e-06"; "nan", whose sign means
+/// nothing.
 inline std::string describe(double value)
 {
+  if (std::isnan(value))
+  {
+    return "nan";
+  }
   char text[32];
   std::snprintf(text, sizeof(text), "%.9g", value);
   return text;

@@ -15,6 +15,7 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkDataSetAlgorithm.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkGenericCell.h>
 #include <vtkIdTypeArray.h>
@@ -215,13 +216,26 @@ void checkPolyData(vtkPolyData* data, CellSizes& sizes, const std::string& what)
   }
 }
 
+/// Which arrays are read or copied: all, or no more than flags of ghosts.
+enum class ReadArrays
+{
+  All,
+  GhostFlags
+};
+
+bool isRead(vtkAbstractArray* array, ReadArrays read)
+{
+  const std::string name = array->GetName() ? array->GetName() : "";
+  return read == ReadArrays::All || name == vtkDataSetAttributes::GhostArrayName();
+}
+
 void checkAttributes(vtkDataSetAttributes* attributes, vtkIdType count, const std::string& kind,
-  const std::string& kinds, const std::string& what)
+  const std::string& kinds, ReadArrays read, const std::string& what)
 {
   for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = attributes->GetAbstractArray(a);
-    if (array->GetNumberOfTuples() != count)
+    if (array->GetNumberOfTuples() != count && isRead(array, read))
     {
       throw InvalidInput("the " + what + ": the " + kind + " array \"" +
         (array->GetName() ? array->GetName() : "") + "\" has " +
@@ -233,7 +247,7 @@ void checkAttributes(vtkDataSetAttributes* attributes, vtkIdType count, const st
   }
 }
 
-void checkDataSet(vtkDataSet* data, CellSizes& sizes, const std::string& what)
+void checkDataSet(vtkDataSet* data, CellSizes& sizes, ReadArrays read, const std::string& what)
 {
   vtkPointSet* pointSet = vtkPointSet::SafeDownCast(data);
   if (pointSet && !pointSet->GetPoints() && data->GetNumberOfCells() > 0)
@@ -260,17 +274,16 @@ void checkDataSet(vtkDataSet* data, CellSizes& sizes, const std::string& what)
         " points for a grid of " + std::to_string(points) + "." + Repair);
     }
   }
-  checkAttributes(data->GetPointData(), data->GetNumberOfPoints(), "point", "points", what);
-  checkAttributes(data->GetCellData(), data->GetNumberOfCells(), "cell", "cells", what);
-}
+  checkAttributes(data->GetPointData(), data->GetNumberOfPoints(), "point", "points", read, what);
+  checkAttributes(data->GetCellData(), data->GetNumberOfCells(), "cell", "cells", read, what);
 }
 
-void checkData(vtkDataObject* data, const std::string& what)
+void checkDataObject(vtkDataObject* data, ReadArrays read, const std::string& what)
 {
   CellSizes sizes;
   if (auto* single = vtkDataSet::SafeDownCast(data))
   {
-    checkDataSet(single, sizes, what);
+    checkDataSet(single, sizes, read, what);
     return;
   }
   auto* collection = vtkCompositeDataSet::SafeDownCast(data);
@@ -284,19 +297,29 @@ void checkData(vtkDataObject* data, const std::string& what)
     if (auto* leaf = vtkDataSet::SafeDownCast(places->GetCurrentDataObject()))
     {
       checkDataSet(
-        leaf, sizes, what + ", block " + std::to_string(places->GetCurrentFlatIndex()));
+        leaf, sizes, read, what + ", block " + std::to_string(places->GetCurrentFlatIndex()));
     }
   }
 }
 
+}
+
+void checkData(vtkDataObject* data, const std::string& what)
+{
+  checkDataObject(data, ReadArrays::All, what);
+}
+
 void checkInputs(vtkAlgorithm* algorithm)
 {
+  // What gives its input back adds arrays, and passes the others by.
+  const ReadArrays read =
+    vtkDataSetAlgorithm::SafeDownCast(algorithm) ? ReadArrays::GhostFlags : ReadArrays::All;
   const int ports = algorithm->GetNumberOfInputPorts();
   for (int port = 0; port < ports; ++port)
   {
     for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
     {
-      checkData(algorithm->GetInputDataObject(port, i),
+      checkDataObject(algorithm->GetInputDataObject(port, i), read,
         ports > 1 ? "input of port " + std::to_string(port) : "input");
     }
   }

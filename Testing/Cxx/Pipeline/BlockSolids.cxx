@@ -105,7 +105,8 @@ Grid cellsWith(vtkUnstructuredGrid* boundary, const char* array, double value)
     }
     cells.push_back(cell);
   }
-  return gridOf(points, cells, VTK_QUAD);
+  const bool areQuads = cells.empty() || cells.front().size() == 4;
+  return gridOf(points, cells, areQuads ? VTK_QUAD : VTK_TRIANGLE);
 }
 
 void addFace(vtkUnstructuredGrid* solid, vtkUnstructuredGrid* cells, int face)

@@ -183,7 +183,7 @@ def test_refusals(folder):
         ((SOLID, *COARSE, "-o", old, "--volume", str(-(2**63) - 1)), "is too large a number"),
         ((SOLID, *COARSE, "-o", old, "--set", "Any=" + "9" * 30), "is too large a number"),
         ((SOLID, *COARSE, "-o", old, "--layers", "1000000000"), "gigabytes: more than there are"),
-        ((SOLID, *COARSE, "-o", old, "--size", "1e-300"), "gigabytes: more than there are"),
+        ((SOLID, "--source", *SOURCE, "-o", old, "--size", "1e-300"), "gigabytes: more than there are"),
         ((SOLID, *COARSE, "-o", old, "--size", "1e400"), "the size is inf"),
         ((SOLID, *COARSE, "-o", old, "--threads", "x"), "--threads: invalid int value"),
         ((SOLID, *COARSE, "-o", old, "--lay", "3"), "unrecognized arguments: --lay"),

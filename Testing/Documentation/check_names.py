@@ -13,7 +13,8 @@ import re
 import sys
 from pathlib import Path
 
-PAGES = ["README.md", "CONTRIBUTING.md", "Documentation/Architecture.md", "Documentation/Core.md", "Examples/README.md"]
+PAGES = ["README.md", "CONTRIBUTING.md", "Documentation/Architecture.md", "Documentation/Core.md", "Documentation/Promises.md",
+         "Examples/README.md"]
 SOURCES = ["Filters", "IO", "Plugin", "Python", "Testing", "Utilities", "CMake", "Examples", "Documentation", "CMakeLists.txt",
            "CMakePresets.json", "vtk.module"]
 SUFFIXES = {".h", ".cxx", ".py", ".in", ".xml", ".txt", ".cmake", ".json", ".sh", ".module", ".geo"}

@@ -11,11 +11,11 @@
 namespace hexsweep
 {
 /**
- * smpFor() that asks every twentieth of a second, where its pieces allow: Core reports progress between
- * its stages, and a stage of a large mesh may take long.
+ * smpFor() that asks every twentieth of a second, where its pieces allow: Core reports progress
+ * between its stages, and a stage of a large mesh may take long.
  *
- * @param progress pipelineProgress() or a part of it. It is called with a number that is none, which
- *        leaves the progress as it is.
+ * @param progress pipelineProgress() or a part of it. It is called with a number that is none,
+ * which leaves the progress as it is.
  * @return throws Aborted when progress returns false.
  */
 ParallelFor askingFor(const Progress& progress);

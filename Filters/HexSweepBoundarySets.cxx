@@ -108,9 +108,8 @@ void checkSides(vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
     if (found != expected)
     {
       throw InvalidInput("the boundary is not that of these hexahedra: its quad " +
-        std::to_string(q) + " is not side " + std::to_string(hexSides[q]) +
-        " of hexahedron " + std::to_string(hexIds[q]) +
-        ". Connect both outputs of the same OneToOneSweep, unchanged.");
+        std::to_string(q) + " is not side " + std::to_string(hexSides[q]) + " of hexahedron " +
+        std::to_string(hexIds[q]) + ". Connect both outputs of the same OneToOneSweep, unchanged.");
     }
   }
 }
@@ -290,8 +289,7 @@ std::string volumeName(vtkUnstructuredGrid* hexes)
   {
     return names->GetValue(0);
   }
-  return "Volume " +
-    (volumes ? describe(volumes->GetComponent(0, 0)) : std::string("1"));
+  return "Volume " + (volumes ? describe(volumes->GetComponent(0, 0)) : std::string("1"));
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> newElementBlock(

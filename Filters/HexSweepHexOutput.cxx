@@ -73,8 +73,8 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   const HexOutputSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* output)
 {
-  checkHexBudget(static_cast<double>(cage.quads.rows()) *
-      static_cast<double>(cage.boundary.numberOfLayers()),
+  checkHexBudget(
+    static_cast<double>(cage.quads.rows()) * static_cast<double>(cage.boundary.numberOfLayers()),
     "Use coarser quads or fewer layers.");
   const auto method = static_cast<InteriorKind>(settings.method);
   const bool automatic = method == InteriorKind::Automatic;

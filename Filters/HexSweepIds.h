@@ -24,8 +24,8 @@ public:
   /// @param array is kept, not copied.
   explicit WholeNumbers(vtkDataArray* array);
 
-  /// Nothing where the number is not whole (of real numbers: or beyond 2^53, where all are whole) or
-  /// does not fit into an Index. @param tuple in the array.
+  /// Nothing where the number is not whole (of real numbers: or beyond 2^53, where all are whole)
+  /// or does not fit into an Index. @param tuple in the array.
   std::optional<Index> at(Index tuple) const;
 
   /// The same of a number that is known to be whole.

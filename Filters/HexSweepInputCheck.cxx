@@ -98,7 +98,7 @@ std::string describeType(int type)
 struct CellsToCheck
 {
   vtkCellArray* cells;
-  vtkIdType first;                     ///< number of the first one in the data set
+  vtkIdType first;                    ///< number of the first one in the data set
   std::function<int(vtkIdType)> type; ///< by place in the array
 };
 
@@ -124,8 +124,8 @@ void checkCorners(
     const CellSize size = sizes.of(type);
     if (!size.isType)
     {
-      throw InvalidInput(name() + " is of type " + std::to_string(type) +
-        ", which VTK does not have." + Repair);
+      throw InvalidInput(
+        name() + " is of type " + std::to_string(type) + ", which VTK does not have." + Repair);
     }
     if (size.isExact ? end - begin != size.points : end - begin < size.points)
     {

@@ -26,8 +26,8 @@ namespace hexsweep
  */
 void checkData(vtkDataObject* data, const std::string& what);
 
-/// checkData() of all that is connected to an algorithm; without the arrays that a vtkDataSetAlgorithm
-/// passes by, flags of ghosts aside.
+/// checkData() of all that is connected to an algorithm; without the arrays that a
+/// vtkDataSetAlgorithm passes by, flags of ghosts aside.
 void checkInputs(vtkAlgorithm* algorithm);
 }
 

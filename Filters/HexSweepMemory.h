@@ -39,7 +39,8 @@ inline void allocateTuples(vtkDataSetAttributes* from, vtkIdType tuples, vtkData
   to->CopyAllocate(from, tuples);
 }
 
-/// Asks for some times what a data set takes, before VTK's filters work on it. @throw std::bad_alloc.
+/// Asks for some times what a data set takes, before VTK's filters work on it. @throw
+/// std::bad_alloc.
 inline void requireCopies(vtkDataObject* data, double times)
 {
   requireMemory(times * 1024.0 * static_cast<double>(data->GetActualMemorySize()));

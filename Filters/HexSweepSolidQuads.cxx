@@ -61,8 +61,7 @@ SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topol
     result.origin = "Solid";
     return result;
   }
-  return madeQuads(makeSourceQuads(
-    input, solid.body.surface, topology, size, progress, withBorders, askingFor(progress),
-    chordTolerance));
+  return madeQuads(makeSourceQuads(input, solid.body.surface, topology, size, progress, withBorders,
+    askingFor(progress), chordTolerance));
 }
 }

@@ -141,9 +141,9 @@ std::vector<Index> readCellIds(vtkDataSet* data, vtkAbstractArray* array, const 
     const std::optional<Index> value = values.at(cell);
     if (!value)
     {
-      throw InvalidInput(start + "are too large or not whole: " +
-        describe(numbers->GetComponent(cell, 0)) + " in cell " + std::to_string(cell) +
-        ". Choose the array that numbers the " + what + "s.");
+      throw InvalidInput(start +
+        "are too large or not whole: " + describe(numbers->GetComponent(cell, 0)) + " in cell " +
+        std::to_string(cell) + ". Choose the array that numbers the " + what + "s.");
     }
     ids.push_back(*value);
   }

@@ -204,8 +204,9 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
     settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
     settings.weights, settings.improvement, sized.quads.imprinted, {}, askingFor(progress) };
-  return settings.hexes.ensureValid ? makeUnhinderedCage(std::move(input), askingFor(progress), progress)
-                                    : makeSolidCage(input, progress);
+  return settings.hexes.ensureValid
+    ? makeUnhinderedCage(std::move(input), askingFor(progress), progress)
+    : makeSolidCage(input, progress);
 }
 
 SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& topology,

@@ -6,8 +6,8 @@
  * The file is the same, byte for byte. Where the data are binary and inline (DataMode) and there
  * is a compressor, the blocks of an array are compressed side by side and encoded by table: VTK's
  * writer spends most of its time on base64, four characters at a time, and much of the rest on the
- * ranges of whole numbers, which are found in one pass here. Everything else is VTK's, but that data
- * which do not hold together and memory that is not to be had are errors, without a file.
+ * ranges of whole numbers, which are found in one pass here. Everything else is VTK's, but that
+ * data which do not hold together and memory that is not to be had are errors, without a file.
  *
  * Measured on a million hexahedra with LZ4: see Documentation/Benchmarks.md.
  */

@@ -85,8 +85,7 @@ void vtkLinkingSideMesher::Execute(vtkInformationVector** inputs, vtkInformation
       this->MatchTolerance, this->FeatureAngle * Pi / 180.0);
   clock.finish("Read");
   const std::vector<SideTube> sides = splitLinkingSides(surface, quads.points, topology.loops);
-  checkSweepBudget(
-    static_cast<double>(quads.quads.rows()), sideLength(sides), layers.size, layers);
+  checkSweepBudget(static_cast<double>(quads.quads.rows()), sideLength(sides), layers.size, layers);
   const LinkingMesh linking = meshLinkingSides(quads.points, topology.loops, sides, layers,
     this->MatchTolerance, pipelineProgress(this, 0.1, 0.95), askingFor(pipelineProgress(this)));
 

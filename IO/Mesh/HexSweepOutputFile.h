@@ -63,7 +63,8 @@ private:
   [[noreturn]] void fail() const;
 
   std::string Name;
-  std::vector<char> Buffer; // before the file: where there is no room for it, there is no file either
+  std::vector<char>
+    Buffer; // before the file: where there is no room for it, there is no file either
   std::FILE* File;
   std::size_t Used = 0;
 };

@@ -34,8 +34,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto treatment = static_cast<HoleTreatment>(input.whole(0, 2));
     const auto weights = static_cast<Weights>(input.whole(0, 1));
     const auto improvement = static_cast<TriangulationImprovement>(input.whole(0, 2));
-    fuzz::expectOrderly(
-      [&] { canonicalDiskMap(cap, treatment, weights, improvement, { 1e-8, 10 }); });
+    fuzz::expectOrderly([&] {
+      canonicalDiskMap(cap, treatment, weights, improvement, { 1e-8, 10 });
+    });
     CapQuadOptions options;
     options.size = input.whole(0, 15) == 0 ? input.special() : 0.2 + 0.8 * input.share();
     options.chordTolerance = input.whole(0, 3) == 0 ? 0.1 : 0.0;

@@ -30,8 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   fuzz::expectOrderly([&] {
-    const UntangledHexes untangled =
-      untangleHexes(block.points, block.hexes, boxes, block.fixed);
+    const UntangledHexes untangled = untangleHexes(block.points, block.hexes, boxes, block.fixed);
     polishHexes(untangled.points, block.hexes, block.fixed, 2);
   });
   return 0;

@@ -48,9 +48,9 @@ private:
 void expectOrderly(const std::function<void()>& work);
 
 /**
- * Up to six damages of a mesh: faces left out, doubled and turned over; corners welded, torn apart and
- * drawn together; coordinates shaken, and replaced by special numbers; the whole moved and scaled.
- * Corners stay rows of the points. At least one face is left.
+ * Up to six damages of a mesh: faces left out, doubled and turned over; corners welded, torn apart
+ * and drawn together; coordinates shaken, and replaced by special numbers; the whole moved and
+ * scaled. Corners stay rows of the points. At least one face is left.
  */
 template <typename Faces>
 void damage(Input& input, Points& points, Faces& faces);

@@ -38,8 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   request.growth = input.whole(0, 3) == 0 ? input.special() : 1.0;
   fuzz::expectOrderly([&] {
     checkCoordinates(given.mesh.points, given.mesh.triangles, "linking surface");
-    const SurfaceTopology topology =
-      checkSurface(sweep.quads, sweep.source.rows(), "source quads");
+    const SurfaceTopology topology = checkSurface(sweep.quads, sweep.source.rows(), "source quads");
     const LinkingSurface surface = joinLinkingSurface(given, 1e-6, 0.5);
     const std::vector<SideTube> sides = splitLinkingSides(surface, sweep.source, topology.loops);
     if (!(request.size > 0.0 && request.size < 1e-3))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles with face ids, as a reader hands them on: bodies, surface, candidates, quads, sides, cage,
-// interior.
+// Triangles with face ids, as a reader hands them on: bodies, surface, candidates, quads, sides,
+// cage, interior.
 #include "FuzzInput.h"
 
 #include "Core/Interior/InteriorStarts.h"
@@ -24,8 +24,8 @@ using namespace hexsweep;
 /// Cubes of a grid, some left out, each plane of their surface one face or not.
 SolidInput solidFrom(fuzz::Input& input)
 {
-  const test::Cell size = { static_cast<int>(input.whole(1, 3)), static_cast<int>(input.whole(1, 2)),
-    static_cast<int>(input.whole(1, 3)) };
+  const test::Cell size = { static_cast<int>(input.whole(1, 3)),
+    static_cast<int>(input.whole(1, 2)), static_cast<int>(input.whole(1, 3)) };
   const std::bitset<18> left(
     static_cast<unsigned long long>(input.whole(0, 3) == 0 ? input.whole(0, 65535) : 0));
   const auto place = [&](int i, int j, int k) {

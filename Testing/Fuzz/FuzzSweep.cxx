@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quads, linking sides and a target that somebody else made: rings, projection, every interior method.
+// Quads, linking sides and a target that somebody else made: rings, projection, every interior
+// method.
 #include "FuzzInput.h"
 
 #include "Core/CapQuads/SweepProjection.h"
@@ -72,8 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       return;
     }
     checkCoordinates(sweep.target, sweep.quads, "target quads");
-    const SurfaceTopology topology =
-      checkSurface(sweep.quads, sweep.source.rows(), "source quads");
+    const SurfaceTopology topology = checkSurface(sweep.quads, sweep.source.rows(), "source quads");
     checkCap(topology, "source quads");
     fuzz::expectOrderly([&] { project(sweep, std::nullopt, input); });
     const RingStack rings =

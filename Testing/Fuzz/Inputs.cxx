@@ -41,10 +41,10 @@ double Input::bits()
 
 double Input::special()
 {
-  constexpr double Numbers[] = { 0.0, -0.0, 1.0, -1.0, 1e-15, 1e15, 1e50, 1e51, 1e155, 1e300, -1e300,
-    1e-155, 1e-300, std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max(),
-    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 3.5e38,
-    1.0 + 0x1p-52 };
+  constexpr double Numbers[] = { 0.0, -0.0, 1.0, -1.0, 1e-15, 1e15, 1e50, 1e51, 1e155, 1e300,
+    -1e300, 1e-155, 1e-300, std::numeric_limits<double>::denorm_min(),
+    std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::quiet_NaN(), 3.5e38, 1.0 + 0x1p-52 };
   const Index which = this->whole(0, static_cast<Index>(std::size(Numbers)));
   return which < static_cast<Index>(std::size(Numbers)) ? Numbers[which] : this->bits();
 }

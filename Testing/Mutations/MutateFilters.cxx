@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HexSweepMutateFilters FIRST COUNT [SECONDS] (of one run the filter is printed): runs the filters on mutated inputs number FIRST, FIRST + 1, ...,
-// no longer than some seconds, and ends with 1 where one of them crashed, hung, lied or lost its way:
+// HexSweepMutateFilters FIRST COUNT [SECONDS] (of one run the filter is printed): runs the filters
+// on mutated inputs number FIRST, FIRST + 1, ..., no longer than some seconds, and ends with 1
+// where one of them crashed, hung, lied or lost its way:
 // - the process lives, and no run takes longer than a minute of a processor;
 // - a filter either has an output or says in one error why it has none;
-// - a hexahedron that is certified is proved valid in exact numbers, and the report counts the others;
+// - a hexahedron that is certified is proved valid in exact numbers, and the report counts the
+// others;
 // - hexahedra that are not certified are told;
 // - an aborted filter has no output, and a filter works on good inputs after any of that.
 #include "MutatedInputs.h"
@@ -154,8 +156,7 @@ std::string run(std::uint64_t number, bool isAlone)
   vtkNew<AbortAt> abort; // what is aborted when all is done has its output
   abort->Fraction = chance.real(0.0, 0.99);
   const bool aborts = chance.oneIn(12);
-  const unsigned long tag =
-    aborts ? filter->AddObserver(vtkCommand::ProgressEvent, abort) : 0;
+  const unsigned long tag = aborts ? filter->AddObserver(vtkCommand::ProgressEvent, abort) : 0;
   filter->Update();
   const bool aborted = filter->GetAbortExecute() != 0 && !hasOutput(filter);
   std::string problem = problemOf(filter, events, aborted);
@@ -187,8 +188,8 @@ void limitMemory()
   }
 }
 
-/// Ends this process where it takes so many seconds of processor time from now on, or waits for ever:
-/// on a busy machine the clock tells nothing.
+/// Ends this process where it takes so many seconds of processor time from now on, or waits for
+/// ever: on a busy machine the clock tells nothing.
 void endIn(double seconds)
 {
   itimerval timer{};
@@ -250,7 +251,8 @@ int runGroup(std::uint64_t first, std::uint64_t& end)
   if (WIFSIGNALED(status))
   {
     std::cout << "run " << last << ": ended by signal " << WTERMSIG(status)
-              << (WTERMSIG(status) == SIGPROF || WTERMSIG(status) == SIGALRM ? " (it hung)" : "") << std::endl;
+              << (WTERMSIG(status) == SIGPROF || WTERMSIG(status) == SIGALRM ? " (it hung)" : "")
+              << std::endl;
     end = last + 1;
     return 1;
   }

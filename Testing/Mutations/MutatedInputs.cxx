@@ -42,7 +42,8 @@ double Chance::extreme()
 {
   constexpr double Numbers[] = { 0.0, -0.0, 1.0, -1.0, 1e-15, 1e15, 1e49, 1e155, 1e300, -1e300,
     1e-155, 1e-300, std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max(),
-    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 3.5e38, 0.5 };
+    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 3.5e38,
+    0.5 };
   return Numbers[this->below(static_cast<vtkIdType>(std::size(Numbers)))];
 }
 
@@ -169,7 +170,8 @@ Grid withOtherPoints(vtkUnstructuredGrid* grid, Chance& chance)
         coordinate = std::round(coordinate / amount) * amount;
         return;
       case 6:
-        std::transform(place.begin(), place.end(), place.begin(), [&](double x) { return x * shift; });
+        std::transform(
+          place.begin(), place.end(), place.begin(), [&](double x) { return x * shift; });
         return;
       default:
         coordinate += amount * chance.real(-1.0, 1.0);
@@ -189,8 +191,9 @@ Grid withOtherArrays(vtkUnstructuredGrid* grid, Chance& chance)
     "BoundaryId", "BoundaryPart", "DiskCoordinates", "vtkGhostType", "Validity" };
   const char* name = names[chance.below(11)];
   vtkSmartPointer<vtkDataArray> array;
-  array.TakeReference(vtkDataArray::CreateDataArray(
-    chance.oneIn(2) ? VTK_DOUBLE : chance.oneIn(2) ? VTK_UNSIGNED_CHAR : VTK_ID_TYPE));
+  array.TakeReference(vtkDataArray::CreateDataArray(chance.oneIn(2) ? VTK_DOUBLE
+      : chance.oneIn(2)                                             ? VTK_UNSIGNED_CHAR
+                                                                    : VTK_ID_TYPE));
   array->SetName(name);
   array->SetNumberOfComponents(chance.oneIn(4) ? 3 : 1);
   const vtkIdType count = ofPoints ? changed->GetNumberOfPoints() : changed->GetNumberOfCells();
@@ -198,7 +201,7 @@ Grid withOtherArrays(vtkUnstructuredGrid* grid, Chance& chance)
   const bool isReal = array->GetDataType() == VTK_DOUBLE;
   for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
   {
-    array->SetComponent(i / array->GetNumberOfComponents(), 
+    array->SetComponent(i / array->GetNumberOfComponents(),
       static_cast<int>(i % array->GetNumberOfComponents()),
       isReal && chance.oneIn(3) ? chance.extreme() : static_cast<double>(chance.below(5)));
   }
@@ -336,8 +339,8 @@ vtkSmartPointer<vtkAlgorithm> mutatedFilter(const FilterUse& use, Chance& chance
   std::vector<vtkSmartPointer<vtkDataObject>> inputs = use.inputs;
   for (vtkIdType count = 1 + chance.below(4); count > 0; --count)
   {
-    auto& input = inputs[static_cast<std::size_t>(chance.below(
-      static_cast<vtkIdType>(inputs.size())))];
+    auto& input =
+      inputs[static_cast<std::size_t>(chance.below(static_cast<vtkIdType>(inputs.size())))];
     input = mutated(input, chance);
   }
   const vtkSmartPointer<vtkAlgorithm> filter = use.make();

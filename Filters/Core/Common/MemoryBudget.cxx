@@ -66,8 +66,7 @@ void checkHexBudget(double hexes, const std::string& mend)
     // To three digits: it is an estimate.
     const auto rounded = [](double value) {
       const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
-      return describe(
-        std::isfinite(value) && unit > 0.0 ? std::round(value / unit) * unit : value);
+      return describe(std::isfinite(value) && unit > 0.0 ? std::round(value / unit) * unit : value);
     };
     throw InvalidInput("the mesh would have about " + rounded(hexes) + " hexahedra, which take " +
       rounded(bytes / 1e9) + " gigabytes: more than there are. " + mend);

@@ -356,7 +356,8 @@ double squaredChange(const std::vector<Circle>& a, const std::vector<Circle>& b)
   return sum;
 }
 
-/// Whether the last rounds changed no less than the best ones before them: what is left is rounding.
+/// Whether the last rounds changed no less than the best ones before them: what is left is
+/// rounding.
 bool isStagnant(const std::vector<KoebeRound>& rounds)
 {
   constexpr std::ptrdiff_t Patience = 20;
@@ -382,8 +383,8 @@ KoebeMap koebeMap(const PointsRef& points, const TrianglesRef& triangles,
   }
   KoebeMap result;
   KoebeIteration iteration(points, symmetricLaplacian(points, triangles, weights), loops);
-  for (int done = 0; !result.converged && done < std::max(1, limits.maximumRounds) &&
-       !isStagnant(result.rounds);
+  for (int done = 0;
+       !result.converged && done < std::max(1, limits.maximumRounds) && !isStagnant(result.rounds);
        ++done)
   {
     KoebeRound round = iteration.round();

@@ -32,7 +32,8 @@ void checkCornerCoordinates(
     if (place.cwiseAbs().maxCoeff() > GreatestLength)
     {
       throw InvalidInput(start + "point " + std::to_string(*corner) + " at " + describe(place) +
-        " is too far out: volumes of such lengths are no numbers any more. Use another unit, up to " +
+        " is too far out: volumes of such lengths are no numbers any more. Use another unit, up "
+        "to " +
         describe(GreatestLength) + ".");
     }
     low = low.cwiseMin(place);

@@ -16,8 +16,8 @@ namespace hexsweep
 /// are normal numbers.
 constexpr double GreatestLength = 1e50;
 
-/// A mesh is larger than so much of its coordinates: of its size some four thousand places can be told
-/// apart then.
+/// A mesh is larger than so much of its coordinates: of its size some four thousand places can be
+/// told apart then.
 constexpr double LeastOfCoordinates = 1e-12;
 
 /**
@@ -25,7 +25,8 @@ constexpr double LeastOfCoordinates = 1e-12;
  * finite or greater than GreatestLength, and meshes that are smaller than its inverse or than
  * LeastOfCoordinates of their coordinates.
  *
- * @param faces whose corners are looked at, all of them rows of `points`; other points may be anything.
+ * @param faces whose corners are looked at, all of them rows of `points`; other points may be
+ * anything.
  * @param what  name for the error text, e.g. "target surface".
  * @throw InvalidInput naming what is wrong and where.
  */

@@ -135,8 +135,8 @@ HexQuality qualityFromFigures(const HexFigures<HexLanes>& figures, int lane)
   return quality;
 }
 
-// Scaled Jacobians of less are the rounding of their own computation: such a hexahedron may be proved
-// positive in exact numbers, but nothing can be computed with it.
+// Scaled Jacobians of less are the rounding of their own computation: such a hexahedron may be
+// proved positive in exact numbers, but nothing can be computed with it.
 constexpr double LeastScaledJacobian = 1e-14;
 
 enum class Judged
@@ -194,8 +194,8 @@ HexQuality qualityOf(
     }
     quality.validity = certificate->validity;
     quality.jacobianLowerBound = certificate->jacobianLowerBound;
-    const bool isProvedBad = quality.validity == Validity::InvertedCorner ||
-      quality.validity == Validity::InvertedInside;
+    const bool isProvedBad =
+      quality.validity == Validity::InvertedCorner || quality.validity == Validity::InvertedInside;
     if (!isProvedBad && std::abs(quality.scaledJacobian) < LeastScaledJacobian)
     {
       quality.validity = Validity::Degenerate;

@@ -22,8 +22,8 @@ namespace hexsweep
 {
 namespace
 {
-/// Triangles that hang together, on points of their own: with those of all shells each of many would
-/// cost as much as the whole.
+/// Triangles that hang together, on points of their own: with those of all shells each of many
+/// would cost as much as the whole.
 struct Shell
 {
   std::vector<Index> rows; ///< of the solid's triangles, rising

@@ -31,8 +31,8 @@ double meanHexWidth(
 double expectedQuads(const SolidSurface& solid, const SweepTopology& topology, double size);
 
 /**
- * Refuses layers that give more hexahedra than there is memory for, before anything is made of them;
- * see checkHexBudget().
+ * Refuses layers that give more hexahedra than there is memory for, before anything is made of
+ * them; see checkHexBudget().
  *
  * @param quads of the cap. @param length of the sides.
  * @param size  of layers where `layers` has none of its own and no number; > 0.

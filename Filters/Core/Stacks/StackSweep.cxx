@@ -87,8 +87,8 @@ StackLayout layOut(const SolidSurface& solid, const CapLikeFaces& faces, const P
   const LayerCounts layers =
     countLayers(layout.plane.plane, layout.levels, layout.sheets, thickness, options.layers);
   checkHexBudget(countHexes(layout.plane.plane, layout.levels, layers), FewerHexes);
-  layout.columns = makeColumns(
-    layout.plane.plane, layout.arrangement, layout.levels, layout.sheets, layers);
+  layout.columns =
+    makeColumns(layout.plane.plane, layout.arrangement, layout.levels, layout.sheets, layers);
   clock.finish("Columns");
   return layout;
 }

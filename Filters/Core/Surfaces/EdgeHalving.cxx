@@ -50,7 +50,8 @@ public:
     {
       // Its half would be as long, and halved for ever.
       throw InvalidInput("the edge from " + describe(from) + " to " + describe(to) +
-        " cannot be halved: there is no number between its coordinates. Move the mesh nearer to the "
+        " cannot be halved: there is no number between its coordinates. Move the mesh nearer to "
+        "the "
         "origin, or use a smaller unit.");
     }
     const Index vertex = static_cast<Index>(this->Positions.size());

@@ -22,7 +22,8 @@ struct HalvedSurface
  *
  * @param mesh    an oriented 2-manifold, see checkSurface().
  * @param longest > 0.
- * @throw InvalidInput an edge that is too short to be halved among its coordinates; too many triangles.
+ * @throw InvalidInput an edge that is too short to be halved among its coordinates; too many
+ * triangles.
  */
 HalvedSurface halveLongEdges(const TriangleMesh& mesh, double longest);
 

@@ -39,7 +39,9 @@ FilterUse useOf(const std::string& name, std::vector<vtkSmartPointer<vtkDataObje
 Grid smallBlock(double from)
 {
   return blockFaces(blockOf({ 2, 2, 3 },
-                      [from](double x, double y, double z) { return Point{ from + x, y, 1.5 * z }; }),
+                      [from](double x, double y, double z) {
+                        return Point{ from + x, y, 1.5 * z };
+                      }),
     allFaces());
 }
 

@@ -40,7 +40,8 @@ void expectRefused(const std::string& name, const std::function<void(Filter*)>& 
   EXPECT_LT(took.count(), 5.0);
 }
 
-const std::vector<std::string> TooMany = { "hexahedra, which take ", " gigabytes: more than there are" };
+const std::vector<std::string> TooMany = { "hexahedra, which take ",
+  " gigabytes: more than there are" };
 
 template <typename Sweep>
 void expectSizesRefused(const std::string& name)
@@ -48,13 +49,16 @@ void expectSizesRefused(const std::string& name)
   for (const double size : { 1e-300, std::numeric_limits<double>::denorm_min(), 1e-20, 1e-10 })
   {
     SCOPED_TRACE(size);
-    expectRefused<Sweep>(name, [=](Sweep* sweep) { sweep->SetSize(size); }, TooMany);
-    expectRefused<Sweep>(name, [=](Sweep* sweep) { sweep->SetLayerSize(size); }, TooMany);
+    expectRefused<Sweep>(
+      name, [=](Sweep* sweep) { sweep->SetSize(size); }, TooMany);
+    expectRefused<Sweep>(
+      name, [=](Sweep* sweep) { sweep->SetLayerSize(size); }, TooMany);
   }
   for (const int layers : { 1000000000, std::numeric_limits<int>::max() })
   {
     SCOPED_TRACE(layers);
-    expectRefused<Sweep>(name, [=](Sweep* sweep) { sweep->SetNumberOfLayers(layers); }, TooMany);
+    expectRefused<Sweep>(
+      name, [=](Sweep* sweep) { sweep->SetNumberOfLayers(layers); }, TooMany);
   }
   for (const double size : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
   {
@@ -83,9 +87,12 @@ TEST(AbsurdSettings, LinkingSideMesherRefusesThem)
 {
   const std::string name = "LinkingSideMesher";
   using Mesher = vtkLinkingSideMesher;
-  expectRefused<Mesher>(name, [](Mesher* sides) { sides->SetNumberOfLayers(2147483647); }, TooMany);
-  expectRefused<Mesher>(name, [](Mesher* sides) { sides->SetLayerSize(1e-300); }, TooMany);
-  expectRefused<Mesher>(name, [](Mesher* sides) { sides->SetNumberOfLayers(0); }, { "layers is 0" });
+  expectRefused<Mesher>(
+    name, [](Mesher* sides) { sides->SetNumberOfLayers(2147483647); }, TooMany);
+  expectRefused<Mesher>(
+    name, [](Mesher* sides) { sides->SetLayerSize(1e-300); }, TooMany);
+  expectRefused<Mesher>(
+    name, [](Mesher* sides) { sides->SetNumberOfLayers(0); }, { "layers is 0" });
   expectRefused<Mesher>(
     name, [](Mesher* sides) { sides->SetGrowthRatio(1e300); }, { "has no thickness" });
 }

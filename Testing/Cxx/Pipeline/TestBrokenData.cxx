@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Data sets that do not hold together: each filter refuses them in words, and reads nothing past an end.
+// Data sets that do not hold together: each filter refuses them in words, and reads nothing past an
+// end.
 #include "EveryFilter.h"
 
 #include <vtkIdTypeArray.h>
@@ -91,9 +92,7 @@ std::vector<Damage> damages()
       },
       " of a list of " },
     { "cell with too few corners for its type",
-      [](vtkUnstructuredGrid* grid) {
-        grid->GetCellTypesArray()->SetValue(1, VTK_WEDGE);
-      },
+      [](vtkUnstructuredGrid* grid) { grid->GetCellTypesArray()->SetValue(1, VTK_WEDGE); },
       "cell 1 is a vtkWedge of " },
     { "type that does not exist",
       [](vtkUnstructuredGrid* grid) { grid->GetCellTypesArray()->SetValue(1, 250); },

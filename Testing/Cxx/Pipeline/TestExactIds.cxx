@@ -17,8 +17,10 @@ constexpr vtkIdType BeyondDouble = vtkIdType{ 1 } << 53;
 
 Grid blockWithIds(const std::map<vtkIdType, vtkIdType>& ids)
 {
-  const Grid block = blockFaces(
-    blockOf({ 2, 2, 3 }, [](double x, double y, double z) { return Point{ x, y, 1.5 * z }; }),
+  const Grid block = blockFaces(blockOf({ 2, 2, 3 },
+                                  [](double x, double y, double z) {
+                                    return Point{ x, y, 1.5 * z };
+                                  }),
     allFaces());
   vtkDataArray* given = block->GetCellData()->GetArray("FaceId");
   vtkNew<vtkIdTypeArray> changed;
@@ -46,15 +48,14 @@ TEST(ExactIds, AreThoseOfTheSolidInSweepAndSets)
   sets->Update();
   EXPECT_TRUE(sweep.events.errors.empty()) << sweep.messages();
   std::set<vtkIdType> found;
-  auto* ids =
-    vtkIdTypeArray::SafeDownCast(sweep.boundary()->GetCellData()->GetArray("BoundaryId"));
+  auto* ids = vtkIdTypeArray::SafeDownCast(sweep.boundary()->GetCellData()->GetArray("BoundaryId"));
   ASSERT_TRUE(ids);
   for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
   {
     found.insert(ids->GetValue(i));
   }
-  EXPECT_EQ(found,
-    (std::set<vtkIdType>{ Least, Top, Front, Back, BeyondDouble, BeyondDouble + 1 }));
+  EXPECT_EQ(
+    found, (std::set<vtkIdType>{ Least, Top, Front, Back, BeyondDouble, BeyondDouble + 1 }));
   auto* sides = vtkMultiBlockDataSet::SafeDownCast(sets->GetOutput()->GetBlock(1));
   ASSERT_TRUE(sides);
   EXPECT_EQ(sides->GetNumberOfBlocks(), 6u);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates that cannot be computed with: each filter that makes something of a surface refuses them.
+// Coordinates that cannot be computed with: each filter that makes something of a surface refuses
+// them.
 #include "EveryFilter.h"
 
 #include <vtkHexValidity.h>

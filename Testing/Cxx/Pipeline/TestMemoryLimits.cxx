@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Filters and writers under limits of memory from far too little to enough: a mesh or an error, never the
-// death of the process.
+// Filters and writers under limits of memory from far too little to enough: a mesh or an error,
+// never the death of the process.
 #include "EveryFilter.h"
 
 #include <vtkHexGridWriter.h>
@@ -40,8 +40,8 @@ rlim_t addressSpace()
   return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// What becomes of some work with so many more bytes, in a process of its own. @param work returns an
-/// Outcome.
+/// What becomes of some work with so many more bytes, in a process of its own. @param work returns
+/// an Outcome.
 int outcomeWithin(rlim_t bytes, const std::function<int()>& work)
 {
   // What was let go of is not kept for the next who asks.
@@ -78,7 +78,8 @@ bool expectDoneOrRefused(const std::function<int()>& work, rlim_t enough)
   {
     const int outcome = outcomeWithin(bytes, work);
     EXPECT_TRUE(outcome == Done || outcome == Refused)
-      << "with " << bytes << " bytes: " << (outcome < 0 ? "signal " : "outcome ") << std::abs(outcome);
+      << "with " << bytes << " bytes: " << (outcome < 0 ? "signal " : "outcome ")
+      << std::abs(outcome);
     refused = refused || outcome == Refused;
   }
   EXPECT_EQ(outcomeWithin(4 * enough, work), Done);

@@ -23,8 +23,8 @@ void expectSameArray(vtkAbstractArray* one, vtkAbstractArray* other)
     return;
   }
   ASSERT_EQ(a->GetNumberOfValues(), b->GetNumberOfValues());
-  const auto bytes =
-    static_cast<std::size_t>(a->GetNumberOfValues()) * static_cast<std::size_t>(a->GetDataTypeSize());
+  const auto bytes = static_cast<std::size_t>(a->GetNumberOfValues()) *
+    static_cast<std::size_t>(a->GetDataTypeSize());
   EXPECT_TRUE(bytes == 0 || std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0)
     << (a->GetName() ? a->GetName() : "no name");
 }

@@ -25,7 +25,8 @@ TEST(MemoryBudget, WhatDoesNotIsToldWithItsNumbers)
   EXPECT_FALSE(hexsweep::fitsIntoMemory(std::numeric_limits<double>::infinity()));
   EXPECT_FALSE(hexsweep::fitsIntoMemory(std::numeric_limits<double>::quiet_NaN()));
   test::expectInvalid([] { hexsweep::checkHexBudget(1.23456e15, "Ask for fewer."); },
-    "about 1.23e+15 hexahedra, which take 494000000 gigabytes: more than there are. Ask for fewer.");
+    "about 1.23e+15 hexahedra, which take 494000000 gigabytes: more than there are. Ask for "
+    "fewer.");
   for (const double hexes : { 1e300, std::numeric_limits<double>::infinity() })
   {
     test::expectInvalid([&] { hexsweep::checkHexBudget(hexes, "Ask for fewer."); }, " hexahedra");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Verdicts against another certificate, in exact numbers where intervals do not tell, on hexahedra that
-// are hard to judge. HEXSWEEP_CERTIFICATE_HEXES sets how many, HEXSWEEP_CERTIFICATE_FIRST the first one.
+// Verdicts against another certificate, in exact numbers where intervals do not tell, on hexahedra
+// that are hard to judge. HEXSWEEP_CERTIFICATE_HEXES sets how many, HEXSWEEP_CERTIFICATE_FIRST the
+// first one.
 #include "Core/Hexahedra/HexQuality.h"
 #include "Support/ExactHexes.h"
 #include "Support/HexSamples.h"
@@ -63,8 +64,8 @@ std::string contradiction(Validity validity, const HexTruth& truth)
 
 bool hasEdgeWithoutLength(const HexCorners& x)
 {
-  constexpr int Ends[12][2] = { { 0, 1 }, { 1, 2 }, { 3, 2 }, { 0, 3 }, { 4, 5 }, { 5, 6 }, { 7, 6 },
-    { 4, 7 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
+  constexpr int Ends[12][2] = { { 0, 1 }, { 1, 2 }, { 3, 2 }, { 0, 3 }, { 4, 5 }, { 5, 6 },
+    { 7, 6 }, { 4, 7 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
   return std::any_of(std::begin(Ends), std::end(Ends),
     [&](const int(&ends)[2]) { return x.row(ends[0]) == x.row(ends[1]); });
 }
@@ -145,7 +146,9 @@ TEST(HexCertificateExact, NeverContradictsExactNumbers)
 
 TEST(HexCertificateExact, TheOtherCertificateKnowsKnownShapes)
 {
-  const auto everywhere = [](const HexCorners& corners) { return test::truthOf(corners).everywhere; };
+  const auto everywhere = [](const HexCorners& corners) {
+    return test::truthOf(corners).everywhere;
+  };
   const HexCorners cube = test::unitCube();
   EXPECT_EQ(everywhere(cube), Truth::Positive);
   EXPECT_TRUE(test::truthOf(cube).byIntervals);
@@ -156,8 +159,8 @@ TEST(HexCertificateExact, TheOtherCertificateKnowsKnownShapes)
   EXPECT_EQ(everywhere(twisted), Truth::NotPositive);
   EXPECT_TRUE(test::truthOf(twisted).positiveCorners);
   // Positive at corners, middles of edges and faces and at the centre, and yet not everywhere.
-  EXPECT_EQ(everywhere(hexOf({ -9, -4, 1, 5, 0, -5, 10, 6, -7, 3, 19, -4, 4, -7, 4, 13, 3, 12, 6, 13,
-              8, -1, 6, 9 })),
+  EXPECT_EQ(everywhere(hexOf({ -9, -4, 1, 5, 0, -5, 10, 6, -7, 3, 19, -4, 4, -7, 4, 13, 3, 12, 6,
+              13, 8, -1, 6, 9 })),
     Truth::NotPositive);
   // Corner 6 in the plane of its neighbours, then a last bit to either side.
   HexCorners flat = cube;

@@ -177,8 +177,7 @@ TEST(SolidBodies, EachHasItsOwnPointsAndQuadsAlone)
     EXPECT_EQ(body.quads.row(0).head<3>(), body.triangles.row(0));
     for (Index p = 0; p < body.points.rows(); ++p)
     {
-      ASSERT_EQ(
-        body.points.row(p), solid.points.row(body.pointIds[static_cast<std::size_t>(p)]));
+      ASSERT_EQ(body.points.row(p), solid.points.row(body.pointIds[static_cast<std::size_t>(p)]));
     }
   }
   EXPECT_NEAR(volumeOf(bodies.back().input), 1.0, 1e-12);

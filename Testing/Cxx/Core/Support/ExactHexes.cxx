@@ -188,8 +188,7 @@ Lattice<Number> bernsteinOf(const Coordinates<Number>& corners)
   Lattice<Number> lattice;
   for (int i = 0; i < 27; ++i)
   {
-    lattice[static_cast<std::size_t>(i)] =
-      jacobianAtHalves(corners, { i % 3, i / 3 % 3, i / 9 });
+    lattice[static_cast<std::size_t>(i)] = jacobianAtHalves(corners, { i % 3, i / 3 % 3, i / 9 });
   }
   for (const std::size_t stride : { 1, 3, 9 })
   {
@@ -332,7 +331,8 @@ double nudged(double value, int steps)
   return value;
 }
 
-/// One corner in the plane of its neighbours, as far as rounding allows, then moved by some last bits.
+/// One corner in the plane of its neighbours, as far as rounding allows, then moved by some last
+/// bits.
 HexCorners withFlatCorner(Generator& generator)
 {
   constexpr int Neighbors[8][3] = { { 1, 3, 4 }, { 0, 2, 5 }, { 1, 3, 6 }, { 0, 2, 7 }, { 0, 5, 7 },
@@ -349,7 +349,8 @@ HexCorners withFlatCorner(Generator& generator)
   return corners;
 }
 
-/// Between a good hexahedron and any other, where Core's certificate ends, give or take some last bits.
+/// Between a good hexahedron and any other, where Core's certificate ends, give or take some last
+/// bits.
 HexCorners onTheEdge(Generator& generator)
 {
   const HexCorners good = shakenCube(0.1, generator);
@@ -434,9 +435,8 @@ HexCorners plainHex(int kind, Generator& generator)
     case 8:
       return ofSpecialNumbers(generator);
     default:
-      return filled([&] {
-        return std::ldexp(uniform(generator, -1.0, 1.0), whole(generator, -200, 200));
-      });
+      return filled(
+        [&] { return std::ldexp(uniform(generator, -1.0, 1.0), whole(generator, -200, 200)); });
   }
 }
 }

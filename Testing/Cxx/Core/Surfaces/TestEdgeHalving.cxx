@@ -10,8 +10,8 @@
 
 namespace
 {
-using hexsweep::halveLongEdges;
 using hexsweep::HalvedSurface;
+using hexsweep::halveLongEdges;
 using hexsweep::Index;
 using hexsweep::TriangleMesh;
 
@@ -36,8 +36,8 @@ TEST(EdgeHalving, LeavesTheShapeAndNoLongEdge)
   const double longest = 0.3 * longestEdge(plate);
   const HalvedSurface halved = halveLongEdges(plate, longest);
   EXPECT_LE(longestEdge(halved.mesh), longest);
-  EXPECT_NEAR(test::surfaceArea(halved.mesh), test::surfaceArea(plate),
-    1e-12 * test::surfaceArea(plate));
+  EXPECT_NEAR(
+    test::surfaceArea(halved.mesh), test::surfaceArea(plate), 1e-12 * test::surfaceArea(plate));
 }
 
 TEST(EdgeHalving, StopsWhereNumbersEnd)

@@ -23,7 +23,7 @@ endforeach ()
 set(hexsweep_deb_version "${PROJECT_VERSION}-1~deb${hexsweep_deb_release}")
 
 # Who answers for the packages: devscripts' variables, else the author of what is built.
-set(hexsweep_contact "The HexSweep authors <hexsweep@localhost.localdomain>")
+set(hexsweep_contact "The HexSweep authors <hexsweep@hexsweep.example>")
 set(hexsweep_deb_date "Thu, 01 Jan 1970 00:00:00 +0000")
 execute_process(COMMAND git log -1 "--format=%aN <%aE>;%cD"
   WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"

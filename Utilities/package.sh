@@ -5,7 +5,7 @@
 #
 # Makes the Debian packages of this tree, for the release of Debian that it runs on, in build/packages:
 #
-#   hexsweep      command line, plugin (ParaView loads it by itself), Python package, libraries
+#   hexsweep      command line, plugin (ParaView finds it by itself), Python package, libraries
 #   hexsweep-dev  headers, CMake files, the library of the numerics
 #
 # and judges them with lintian where that is installed. Install them with

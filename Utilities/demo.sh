@@ -44,14 +44,8 @@ done
 demo_dir=${HEXSWEEP_DEMO_DIR:-$source_dir/build/demo}
 
 "$source_dir/Utilities/install-dependencies.sh"
-# The plugin, and the Python package for the command line.
-configure_and_build HexSweep HexSweepPython
-
-plugin=$(find "$build_dir/lib" -name HexSweep.so -type f | head -n 1)
-if [[ -z $plugin ]]; then
-  echo "demo.sh: the build left no HexSweep.so in $build_dir" >&2
-  exit 1
-fi
+# Only what is run: the plugin for the pictures, the Python package for what the command line draws.
+if [[ $drawn == no ]]; then configure_and_build HexSweep; else configure_and_build HexSweepPython; fi
 
 start_display
 run_script() { # script, data, models...
@@ -66,7 +60,17 @@ if [[ $drawn != no ]]; then
     --output "$demo_dir" "${data[@]}"
   exit
 fi
+plugin=$(find "$build_dir/lib" -name HexSweep.so -type f | head -n 1)
+if [[ -z $plugin ]]; then
+  echo "demo.sh: the build left no HexSweep.so in $build_dir" >&2
+  exit 1
+fi
+
 say "sweep: ${models[*]:-all cases}"
 if [[ $compare == yes ]]; then run_script compare.py cases; fi
 if ((${#cases[@]} > 0)); then run_script sweep_models.py cases "${cases[@]}"; fi
 if ((${#solids[@]} > 0)); then run_script sweep_solids.py solids "${solids[@]}"; fi
+
+# Pictures first: what they need is built first.
+say "command line: $build_dir/bin/hexsweep"
+cmake --build "$build_dir" --target HexSweepPython -j "$(job_count)"

@@ -8,8 +8,8 @@
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
 #include <vtkDataSet.h>
-#include <vtkExtractSelection.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
@@ -73,42 +73,71 @@ vtkSmartPointer<vtkDataObject> numberedCopy(vtkDataObject* solid)
   return copy;
 }
 
-void addNumbers(vtkDataObject* leaf, std::set<vtkIdType>& numbers)
+/// What a node of a selection lists. @throw InvalidInput where it is no list of cells.
+vtkDataArray* listedCells(vtkSelectionNode* node, const std::string& cap)
 {
-  auto* data = vtkDataSet::SafeDownCast(leaf);
-  auto* own = data ? vtkIdTypeArray::SafeDownCast(data->GetCellData()->GetArray(Number)) : nullptr;
-  for (vtkIdType c = 0; own && c < own->GetNumberOfValues(); ++c)
+  const int type = node->GetFieldType();
+  if (type != vtkSelectionNode::CELL && type != -1)
   {
-    numbers.insert(own->GetValue(c));
+    throw InvalidInput("the " + cap + " selection is of points or rows, not of cells. " + HowTo);
   }
+  auto* list = vtkDataArray::SafeDownCast(node->GetSelectionList());
+  const bool inverse = node->GetProperties()->Has(vtkSelectionNode::INVERSE()) &&
+    node->GetProperties()->Get(vtkSelectionNode::INVERSE()) != 0;
+  if (node->GetContentType() != vtkSelectionNode::INDICES || inverse)
+  {
+    throw InvalidInput("the " + cap + " selection is no list of cells, but a query or a region. " +
+      "Freeze it (in ParaView: Edit, Find Data), or select cells on the face (key s).");
+  }
+  return list; // nullptr: nothing
 }
 
-/// Numbers of the cells that are selected, whatever the kind of selection.
-std::set<vtkIdType> selectedNumbers(vtkDataObject* numbered, vtkSelection* selection)
+/// Numbers of the cells that are selected.
+std::set<vtkIdType> selectedNumbers(
+  vtkDataObject* solid, vtkSelection* selection, const std::string& cap)
 {
-  vtkNew<vtkExtractSelection> extract;
-  extract->SetInputDataObject(0, numbered);
-  extract->SetInputDataObject(1, selection);
-  extract->Update();
   std::set<vtkIdType> numbers;
-  vtkDataObject* found = extract->GetOutputDataObject(0);
-  if (auto* collection = vtkCompositeDataSet::SafeDownCast(found))
+  for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
   {
-    forEachLeaf(collection,
-      [&](vtkCompositeDataIterator*, vtkDataObject* leaf) { addNumbers(leaf, numbers); });
-  }
-  else
-  {
-    addNumbers(found, numbers);
+    vtkSelectionNode* node = selection->GetNode(n);
+    vtkDataArray* list = listedCells(node, cap);
+    vtkInformation* about = node->GetProperties();
+    const int block = about->Has(vtkSelectionNode::COMPOSITE_INDEX())
+      ? about->Get(vtkSelectionNode::COMPOSITE_INDEX())
+      : -1; // all
+    vtkIdType first = 0;
+    const auto add = [&](vtkDataObject* leaf, bool isMeant) {
+      auto* data = vtkDataSet::SafeDownCast(leaf);
+      const vtkIdType count = data ? data->GetNumberOfCells() : 0;
+      for (vtkIdType i = 0; isMeant && list && i < list->GetNumberOfTuples(); ++i)
+      {
+        const auto cell = static_cast<vtkIdType>(list->GetTuple1(i));
+        if (cell >= 0 && cell < count)
+        {
+          numbers.insert(first + cell);
+        }
+      }
+      first += count;
+    };
+    if (auto* collection = vtkCompositeDataSet::SafeDownCast(solid))
+    {
+      forEachLeaf(collection, [&](vtkCompositeDataIterator* place, vtkDataObject* leaf) {
+        add(leaf, block < 0 || place->GetCurrentFlatIndex() == static_cast<unsigned int>(block));
+      });
+    }
+    else
+    {
+      add(solid, true);
+    }
   }
   return numbers;
 }
 
 /// Cells of the solid as readSolids() joins them, by their ids there.
-std::set<Index> selectedCells(vtkDataObject* solid, vtkSelection* selection)
+std::set<Index> selectedCells(vtkDataObject* solid, vtkSelection* selection, const std::string& cap)
 {
   const vtkSmartPointer<vtkDataObject> numbered = numberedCopy(solid);
-  const std::set<vtkIdType> numbers = selectedNumbers(numbered, selection);
+  const std::set<vtkIdType> numbers = selectedNumbers(solid, selection, cap);
   const SolidPort port = readSolids(numbered, false);
   auto* own = vtkIdTypeArray::SafeDownCast(port.data->GetCellData()->GetArray(Number));
   std::set<Index> cells;
@@ -120,18 +149,6 @@ std::set<Index> selectedCells(vtkDataObject* solid, vtkSelection* selection)
     }
   }
   return cells;
-}
-
-void checkAreCells(vtkSelection* selection, const std::string& cap)
-{
-  for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
-  {
-    const int type = selection->GetNode(n)->GetFieldType();
-    if (type != vtkSelectionNode::CELL && type != -1)
-    {
-      throw InvalidInput("the " + cap + " selection is of points or rows, not of cells. " + HowTo);
-    }
-  }
 }
 
 /// Faces that each of some cells is part of, of one body.
@@ -185,8 +202,7 @@ std::vector<Index> selectedFaces(vtkDataObject* solid, vtkSelection* selection,
   {
     return {};
   }
-  checkAreCells(selection, cap);
-  const std::set<Index> cells = selectedCells(solid, selection);
+  const std::set<Index> cells = selectedCells(solid, selection, cap);
   std::set<Index> chosen;
   const ReadBody* owner = nullptr;
   for (const ReadBody& body : bodies)

@@ -29,8 +29,8 @@ void acceptSelection(vtkInformation* portInformation);
  * @param selection nullptr: none is connected, and no face chosen.
  * @param cap       "source" or "target", for messages.
  * @param bodies    of the solid.
- * @throw InvalidInput: a selection without cells of the solid's surface, of points, or of faces of
- * several bodies; cells of which each is part of several faces.
+ * @throw InvalidInput: a selection that is no list of cells, without cells of the solid's surface,
+ * of points, or of faces of several bodies; cells of which each is part of several faces.
  */
 std::vector<Index> selectedFaces(vtkDataObject* solid, vtkSelection* selection,
   const std::string& cap, const std::vector<ReadBody>& bodies);

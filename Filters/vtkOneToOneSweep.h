@@ -17,9 +17,9 @@
  *   without one by the angle between neighbouring triangles.
  * - port 1 `SourceQuads`, optional: quads on the source face. Without it: quad cells on the source
  *   face of the solid, where it is meshed with these; otherwise quads are made, see SetSize().
- * - ports 2 `SourceSelection` and 3 `TargetSelection`, optional, vtkSelection: cells of the solid,
- * whose faces are the source and the target cap. For those who pick faces in a view instead of
- * naming ids.
+ * - ports 2 `SourceSelection` and 3 `TargetSelection`, optional, vtkSelection: lists of cells of
+ * the solid, whose faces are the source and the target cap. For those who pick faces in a view
+ * instead of naming ids.
  *
  * A solid of several bodies is swept body by body: those with one `VolumeId` (a cell array of
  * surface cells), without it pieces that are not connected, numbered from 1 on. Their meshes come

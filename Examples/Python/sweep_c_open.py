@@ -12,7 +12,7 @@ from paraview import servermanager
 from paraview.simple import LoadPlugin, OpenDataFile, SaveData
 
 plugin, data, output = sys.argv[1:]
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 case = os.path.join(data, "cases", "c_open")
 quads, source, target, sides = (

@@ -36,7 +36,7 @@ PICTURES = [
 
 def main():
     arguments = _parse()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
     os.makedirs(arguments.output, exist_ok=True)
     names = sorted(os.listdir(arguments.data))
     records = [

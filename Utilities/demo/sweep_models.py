@@ -38,7 +38,7 @@ COLUMNS = [
 
 def main():
     arguments = _parse()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
     os.makedirs(arguments.output, exist_ok=True)
     rows = []
     for number, folder in enumerate(_folders(arguments.data, arguments.models), start=1):

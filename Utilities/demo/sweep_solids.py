@@ -23,7 +23,7 @@ from result_tables import SOLIDS, record_table  # noqa: E402
 
 def main():
     arguments = _parse()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
     os.makedirs(arguments.output, exist_ok=True)
     records = []
     for folder in (os.path.join(arguments.data, name) for name in arguments.solids):

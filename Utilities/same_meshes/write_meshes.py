@@ -31,7 +31,7 @@ _MESSAGE = re.compile(
 
 def main():
     arguments = _parse()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
     os.makedirs(arguments.output)
     for name in sorted(os.listdir(os.path.join(arguments.data, "cases"))):
         sweep_case(

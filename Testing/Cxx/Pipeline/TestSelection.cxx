@@ -150,6 +150,12 @@ TEST(Selection, OfWhatIsNoFaceIsRefused)
   };
   refused(selectionOf({ 0 }, vtkSelectionNode::POINT),
     "the source selection is of points or rows, not of cells");
+  auto query = selectionOf({ 1 });
+  query->GetNode(0)->SetContentType(vtkSelectionNode::QUERY);
+  refused(query, "the source selection is no list of cells, but a query or a region");
+  auto others = selectionOf({ 1 });
+  others->GetNode(0)->GetProperties()->Set(vtkSelectionNode::INVERSE(), 1);
+  refused(others, "the source selection is no list of cells");
   refused(selectionOf({}), "the source selection has no cells of the solid's surface");
   refused(selectionOf({ 100000 }), "the source selection has no cells of the solid's surface");
   refused(vtkSmartPointer<vtkSelection>::New(), "has no cells of the solid's surface");

@@ -6,6 +6,7 @@
 //
 // prints CPU seconds of planVolumes() for n^3 blocks, n as given, and how the work falls on ranks.
 #include "Core/Assemblies/AssemblyPlanning.h"
+#include "Core/Assemblies/VolumePieces.h"
 
 #include <algorithm>
 #include <array>
@@ -95,12 +96,15 @@ int main(int argc, char** argv)
   std::printf("%8s %10s %12s\n", "volumes", "CPU s", "us a volume");
   for (int i = 1; i < argc; ++i)
   {
-    const std::vector<AssemblyVolume> volumes = lattice(std::atoi(argv[i]));
+    std::vector<AssemblyVolume> volumes = lattice(std::atoi(argv[i]));
     const std::clock_t begin = std::clock();
+    volumes = hexsweep::cutIntoPieces(std::move(volumes));
+    const double pieces = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     const hexsweep::PlannedAssembly planned = hexsweep::planVolumes(volumes, 0.25);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     std::printf("%8zu %10.2f %12.1f\n", volumes.size(), seconds,
       1e6 * seconds / static_cast<double>(volumes.size()));
+    std::printf("    %-18s %8.2f\n", "Pieces", pieces);
     for (const hexsweep::Stage& stage : planned.stages)
     {
       std::printf("    %-18s %8.2f\n", stage.name.c_str(), stage.seconds);

@@ -2,6 +2,7 @@
 #include "Core/Assemblies/IntervalProgramme.h"
 
 #include "Core/Common/DisjointSets.h"
+#include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 
@@ -21,6 +22,11 @@ namespace hexsweep
 {
 namespace
 {
+/// More could not be meshed.
+constexpr double MostEdges = 1e9;
+/// Smaller wishes weigh as much as this one: solvers refuse weights without measure.
+constexpr double LeastWish = 1e-6;
+
 /// Numbers that are equal, as one.
 struct IntervalClass
 {
@@ -68,9 +74,15 @@ Contracted contract(const IntervalProgramme& programme)
     own.least = std::max(own.least, wish.least);
     own.most = wish.most > 0 ? std::min(own.most, wish.most) : own.most;
     own.step = wish.even ? 2 : own.step;
+    if (!(wish.number <= MostEdges))
+    {
+      throw InvalidInput("a curve or a volume would have " + describe(wish.number) +
+        " edges or layers. Set Size to a larger length.");
+    }
     if (!wish.free)
     {
-      own.wishes.emplace_back(wish.number, 1.0 / wish.number);
+      const double number = std::max(wish.number, LeastWish);
+      own.wishes.emplace_back(number, 1.0 / number);
     }
   }
   for (IntervalClass& own : result.classes)

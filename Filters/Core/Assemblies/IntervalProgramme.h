@@ -47,7 +47,7 @@ struct IntervalProgramme
  * (COIN-OR Cbc) within a number of nodes that depends on its size alone.
  *
  * @return one number a wish.
- * @throw InvalidInput where there are no such numbers, with the words of a smallest set of
+ * @throw InvalidInput for a wish of more than 10^9; where there are no such numbers, with the words of a smallest set of
  * equations that contradict each other; where a programme is left and HexSweep was built without
  * Cbc.
  */

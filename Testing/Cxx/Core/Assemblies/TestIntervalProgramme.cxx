@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <utility>
@@ -147,4 +148,17 @@ TEST(IntervalProgramme, NumbersThatAreAskedForAreKept)
   other.most = 5;
   EXPECT_THROW(hexsweep::solveIntervals({ { asked, other }, { { { 0 }, { 1 }, "both" } } }),
     hexsweep::InvalidInput);
+}
+
+TEST(IntervalProgramme, WishesWithoutMeasureAreBoundedOrRefused)
+{
+  const auto sum = [](double number) {
+    return IntervalProgramme{ { wish(number), wish(1.0), wish(2.0) },
+      { { { 0 }, { 1, 2 }, "sum" } } };
+  };
+  EXPECT_EQ(hexsweep::solveIntervals(sum(1e-40)), (std::vector<Index>{ 2, 1, 1 }));
+  EXPECT_EQ(hexsweep::solveIntervals(sum(std::numeric_limits<double>::min())),
+    (std::vector<Index>{ 2, 1, 1 }));
+  EXPECT_THROW(hexsweep::solveIntervals(sum(1e30)), hexsweep::InvalidInput);
+  EXPECT_THROW(hexsweep::solveIntervals(sum(HUGE_VAL)), hexsweep::InvalidInput);
 }

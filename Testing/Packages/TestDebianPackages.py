@@ -36,7 +36,8 @@ DEVELOPMENT = [
 # Where a package may put files, each with what the other one has alone.
 PLACES = {
     "hexsweep": [r"usr/bin/hexsweep", rf"{lib}/lib\w+\.so\.[\d.]+", rf"{lib}/{plugins}/.*", rf"{python}/.*",
-                 r"usr/share/man/man1/.*", r"usr/bin/paraview\.conf", r"usr/share/paraview/plugins/HexSweep"],
+                 r"usr/share/man/man1/.*", r"usr/share/hexsweep/macros/\w+\.py", r"usr/bin/paraview\.conf",
+                 r"usr/share/paraview/plugins/HexSweep"],
     "hexsweep-dev": [r"usr/include/hexsweep/.*", rf"{lib}/lib\w+\.(so|a)", rf"{lib}/cmake/HexSweep/.*",
                      rf"{lib}/vtk/hierarchy/HexSweep/.*"],
 }

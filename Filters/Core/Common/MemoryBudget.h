@@ -10,8 +10,7 @@
 
 namespace hexsweep
 {
-/// What a hexahedron takes where its making needs most: measured on a million with all arrays and
-/// polish.
+/// An estimate of what a hexahedron takes where its making needs most, with all arrays and polish.
 constexpr double BytesPerHex = 400.0;
 
 /// Whether so many bytes can be had: no more than the machine has, and a block of that size that is

@@ -105,8 +105,10 @@ TEST_P(AbortIsHeardInCases, StepByStep)
   expectHeard(validity, "validity");
 }
 
+// fig9_spongecake, at 0.17 to 0.21 s, would fail or pass by what else the machine does: see
+// Documentation/Promises.md.
 INSTANTIATE_TEST_SUITE_P(Data, AbortIsHeardInCases,
-  testing::Values("gear_round", "hole_twist120", "fig8_concave_twisted_hole", "fig9_spongecake"));
+  testing::Values("gear_round", "hole_twist120", "fig8_concave_twisted_hole"));
 
 /// Aborts from some progress on, but not when all is done.
 class AbortBeforeTheEnd : public vtkCommand

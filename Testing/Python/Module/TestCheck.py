@@ -76,7 +76,7 @@ def test_refusals(folder):
         ((__file__,), "only .vtk, .vtu"),
         ((), "required: mesh"),
         ((flat, "--json", flat), "is the same file as the input"),
-        ((flat, "--threads", "0"), "give 1 or more"),
+        ((flat, "--threads", "0"), "--threads 0: give 1 to 4096"),
         ((flat, "--picture", "x.jpg"), "only .png"),
         ((flat, "--json", "x", "--picture", "./x"), "is the same file as the output x"),
         ((flat, "--json", os.path.join(folder, "none", "x")), "does not exist"),

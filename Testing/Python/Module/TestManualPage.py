@@ -4,7 +4,8 @@
 import os
 import re
 
-from hexsweep.commandline import arguments, formats
+from hexsweep.commandline import arguments
+from hexsweep.files import formats
 
 with open(os.path.join(os.environ["HEXSWEEP_SOURCE_DIR"], "Python", "hexsweep.1.in"), encoding="utf-8") as file:
     page = file.read().replace("\\-", "-")

@@ -46,7 +46,7 @@ private:
 
 ParallelFor askingFor(const Progress& progress)
 {
-  const ParallelFor threads = smpFor();
+  ParallelFor threads = smpFor();
   if (!progress)
   {
     return threads;

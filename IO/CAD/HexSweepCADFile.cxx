@@ -220,8 +220,8 @@ CADModel readSTEP(
   TColStd_SequenceOfAsciiString solidAngles;
   reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
   const Unit unit = !options.lengthUnit.empty() ? unitNamed(options.lengthUnit)
-    : lengths.IsEmpty()                          ? Units.front()
-                                                 : unitCalled(lower(lengths.First().ToCString()));
+    : lengths.IsEmpty()                         ? Units.front()
+                                                : unitCalled(lower(lengths.First().ToCString()));
   return transfer(reader, fileName, unit, progressPart(progress, 0.2, 1.0));
 }
 

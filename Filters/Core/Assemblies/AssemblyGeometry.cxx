@@ -79,7 +79,7 @@ std::optional<Eigen::RowVector3d> AssemblyGeometry::onEdge(
 std::optional<Eigen::RowVector3d> AssemblyGeometry::onCurve(
   Index curve, const Eigen::RowVector3d& place) const
 {
-  if (const std::optional<Eigen::RowVector3d> edge = this->onEdge(curve, place))
+  if (std::optional<Eigen::RowVector3d> edge = this->onEdge(curve, place))
   {
     return edge;
   }

@@ -14,8 +14,8 @@ namespace hexsweep
 {
 /**
  * The length of edges for a face: `size`, but for a face that is narrower and has a corner of less
- * than 60 degrees its mean width, at least a tenth of `size`. There quads with edges of `size` along
- * the borders have no room.
+ * than 60 degrees its mean width, at least a tenth of `size`. There quads with edges of `size`
+ * along the borders have no room.
  */
 double capSize(const AssemblyComplex& complex, Index face, double size);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Assemblies/IntervalProgramme.h"
 
-#include "Core/Common/DisjointSets.h"
 #include "Core/Common/Describe.h"
+#include "Core/Common/DisjointSets.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 

@@ -47,9 +47,9 @@ struct IntervalProgramme
  * (COIN-OR Cbc) within a number of nodes that depends on its size alone.
  *
  * @return one number a wish.
- * @throw InvalidInput for a wish of more than 10^9; where there are no such numbers, with the words of a smallest set of
- * equations that contradict each other; where a programme is left and HexSweep was built without
- * Cbc.
+ * @throw InvalidInput for a wish of more than 10^9; where there are no such numbers, with the words
+ * of a smallest set of equations that contradict each other; where a programme is left and HexSweep
+ * was built without Cbc.
  */
 std::vector<Index> solveIntervals(const IntervalProgramme& programme);
 }

@@ -281,9 +281,9 @@ std::string methodOf(const AssemblySweep& sweep, const std::vector<std::size_t>&
   return text;
 }
 
-/// The hexahedra of some volumes with their points and qualities.
-void setHexes(const NumberedAssembly& assembly, const std::vector<std::size_t>& volumes,
-  const MergedPoints& merged, vtkUnstructuredGrid* grid)
+/// The hexahedra of some volumes with their points and qualities. @param labelOf see labelsOf().
+void setHexes(const NumberedAssembly& assembly, const std::vector<std::size_t>& labelOf,
+  const std::vector<std::size_t>& volumes, const MergedPoints& merged, vtkUnstructuredGrid* grid)
 {
   const auto& [sweep, numbers, labels] = assembly;
   Index count = 0;
@@ -291,7 +291,6 @@ void setHexes(const NumberedAssembly& assembly, const std::vector<std::size_t>& 
   {
     count += sweep.volumes[v].hexes.hexes.rows();
   }
-  const std::vector<std::size_t> labelOf = labelsOf(sweep);
   Hexes hexes(count, 8);
   std::vector<Index> volumeIds;
   std::vector<HexQuality> qualities;
@@ -328,10 +327,12 @@ void setHexes(const NumberedAssembly& assembly, const std::vector<std::size_t>& 
   setQualities(qualities, grid);
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> bodyGrid(const NumberedAssembly& assembly, std::size_t label,
-  const std::vector<std::size_t>& body, vtkFieldData* fields, std::vector<Index>& pointOf)
+vtkSmartPointer<vtkUnstructuredGrid> bodyGrid(const NumberedAssembly& assembly,
+  const std::vector<std::size_t>& labelOf, const std::vector<std::size_t>& body,
+  vtkFieldData* fields, std::vector<Index>& pointOf)
 {
   const auto& [sweep, numbers, labels] = assembly;
+  const std::size_t label = labelOf[body.front()];
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->GetFieldData()->PassData(fields);
   grid->GetFieldData()->RemoveArray(arrays::VolumeNames);
@@ -344,7 +345,7 @@ vtkSmartPointer<vtkUnstructuredGrid> bodyGrid(const NumberedAssembly& assembly, 
     return grid;
   }
   MergedPoints merged = mergedPoints(sweep, body, std::move(pointOf));
-  setHexes(assembly, body, merged, grid);
+  setHexes(assembly, labelOf, body, merged, grid);
   pointOf = giveBack(std::move(merged));
   addReport(grid->GetFieldData(), reports::Method, methodOf(sweep, body));
   addPlan(sweep, { body }, { labels.ids[label] }, grid);
@@ -359,7 +360,7 @@ vtkSmartPointer<vtkUnstructuredGrid> mergedGrid(
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->GetFieldData()->PassData(fields);
   const std::vector<std::size_t> all = allVolumes(sweep);
-  setHexes(assembly, all, mergedPoints(sweep, all, noPoints(sweep)), grid);
+  setHexes(assembly, labelsOf(sweep), all, mergedPoints(sweep, all, noPoints(sweep)), grid);
   const std::vector<std::vector<std::size_t>> bodies = piecesOf(sweep);
   std::vector<std::string> methods;
   std::vector<Index> unmeshed;
@@ -391,12 +392,13 @@ void writeAssembly(const NumberedAssembly& assembly, bool merged, vtkFieldData* 
     return;
   }
   const std::vector<std::vector<std::size_t>> bodies = piecesOf(assembly.sweep);
+  const std::vector<std::size_t> labelOf = labelsOf(assembly.sweep);
   std::vector<Index> pointOf = noPoints(assembly.sweep);
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     addGrid(assembly.labels.names[b],
       assembly.sweep.volumes[bodies[b].front()].isMine
-        ? bodyGrid(assembly, b, bodies[b], fields, pointOf)
+        ? bodyGrid(assembly, labelOf, bodies[b], fields, pointOf)
         : nullptr,
       output);
   }

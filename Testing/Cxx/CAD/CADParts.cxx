@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CADParts.h"
 
+#include "Core/Common/Constants.h"
+
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -57,7 +59,7 @@ namespace cadparts
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+using hexsweep::Pi;
 const gp_Pnt Origin(0.0, 0.0, 0.0);
 
 gp_Ax2 axesAt(double x, double y, double z)

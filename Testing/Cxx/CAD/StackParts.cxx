@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StackParts.h"
 
+#include "Core/Common/Constants.h"
+
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -40,7 +42,7 @@ namespace stackparts
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+using hexsweep::Pi;
 
 /// The same numbers with every standard library.
 class Dice

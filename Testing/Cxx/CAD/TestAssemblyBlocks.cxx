@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace TestAssemblyBlocks
+{
 using assemblymeshes::block;
 using assemblymeshes::fileOf;
 using assemblymeshes::HexFaces;
@@ -165,4 +167,5 @@ TEST(AssemblySweep, OneSolidIsAnAssemblyToo)
   ASSERT_TRUE(swept.events.errors.empty()) << swept.events.errors.front();
   EXPECT_EQ(report(swept.grid(), "NotCertified"), 0.0);
   EXPECT_NEAR(cadmeshes::volumeOf(swept.grid()), 24.0, 1e-9);
+}
 }

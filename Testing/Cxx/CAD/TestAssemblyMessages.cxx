@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace TestAssemblyMessages
+{
 using assemblymeshes::block;
 using assemblymeshes::fileOf;
 using assemblymeshes::gridOf;
@@ -28,8 +30,6 @@ using assemblymeshes::report;
 using assemblymeshes::Swept;
 using assemblymeshes::volumesIn;
 
-namespace
-{
 /// Ids of the faces of a solid at its least and greatest z.
 std::pair<int, int> facesAcross(vtkCADReader* reader, unsigned int solid)
 {
@@ -48,7 +48,6 @@ std::pair<int, int> facesAcross(vtkCADReader* reader, unsigned int solid)
     }
   }
   return found;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -141,4 +140,5 @@ TEST(AssemblySweep, NumbersOfLayersThatContradictEachOtherAreRefusedInWords)
   sweep->AddVolumeLayers(1, 3);
   sweep->Update();
   EXPECT_EQ(gridOf(sweep, 1)->GetFieldData()->GetArray("SweepReportLayers")->GetTuple1(0), 3.0);
+}
 }

@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace TestAssemblyPieces
+{
 using assemblymeshes::block;
 using assemblymeshes::dataFile;
 using assemblymeshes::fileOf;
@@ -34,8 +36,6 @@ using assemblymeshes::report;
 using assemblymeshes::Swept;
 using assemblymeshes::volumesIn;
 
-namespace
-{
 TopoDS_Shape rod(double x, double y, double z, double radius, double height)
 {
   return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, z), gp_Dir(0, 0, 1)), radius, height).Shape();
@@ -106,7 +106,6 @@ std::vector<double> piecesOf(vtkUnstructuredGrid* grid)
     pieces.push_back(array->GetTuple1(i));
   }
   return pieces;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -228,4 +227,5 @@ TEST(AssemblyPieces, LayersOfABodyAreSharedOutByHeight)
   }
   EXPECT_EQ(heights.size(), 10U);
   EXPECT_EQ(heights.count(6000000), 1U);
+}
 }

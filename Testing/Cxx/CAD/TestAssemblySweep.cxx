@@ -25,6 +25,8 @@
 #include <string>
 #include <utility>
 
+namespace TestAssemblySweep
+{
 using assemblymeshes::dataFile;
 using assemblymeshes::gridOf;
 using assemblymeshes::HexFaces;
@@ -32,8 +34,6 @@ using assemblymeshes::report;
 using assemblymeshes::Swept;
 using assemblymeshes::volumesIn;
 
-namespace
-{
 /// What case.json says, as the CAD kernel measured it.
 struct Assembly
 {
@@ -43,7 +43,6 @@ struct Assembly
   double outerArea;
   int sharedFaces;
 };
-}
 
 //------------------------------------------------------------------------------
 class AssemblySweepOfFiles : public testing::TestWithParam<Assembly>
@@ -284,4 +283,5 @@ TEST(AssemblySweep, NamedCapsAreObeyed)
   EXPECT_NE(parts[12], 2);
   EXPECT_EQ(parts[13], 2);
   EXPECT_EQ(parts[14], 2);
+}
 }

@@ -24,10 +24,10 @@
 #include <string>
 #include <vector>
 
+namespace TestCADManyToMany
+{
 using cadmeshes::temporaryFile;
 
-namespace
-{
 double reportOf(vtkUnstructuredGrid* grid, const std::string& name)
 {
   vtkDataArray* array = grid->GetFieldData()->GetArray(("SweepReport" + name).c_str());
@@ -144,7 +144,6 @@ Verdict sweepShape(const TopoDS_Shape& shape, bool withGeometry = true, double d
   const std::string file = temporaryFile("stack.brep");
   cadparts::writeBREP(shape, file);
   return sweepFile(file, withGeometry, draft);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -300,4 +299,5 @@ TEST(CADManyToMany, StepsOfAPipeAlongAnArcAreSweptRoundItsAxis)
   EXPECT_GE(verdict.least, 0.4);
   EXPECT_NEAR(verdict.volume, cadparts::volumeOf(shape), 0.01 * cadparts::volumeOf(shape));
   EXPECT_NEAR(verdict.area, cadparts::areaOf(shape), 0.01 * cadparts::areaOf(shape));
+}
 }

@@ -49,11 +49,11 @@
 #include <utility>
 #include <vector>
 
+namespace TestCADReader
+{
 using cadmeshes::solidOf;
 using cadmeshes::temporaryFile;
 
-namespace
-{
 TopoDS_Compound together(const std::vector<TopoDS_Shape>& shapes)
 {
   TopoDS_Compound compound;
@@ -117,7 +117,6 @@ void keepLines(const std::string& fileName, double share)
   in.close();
   std::ofstream(fileName, std::ios::binary)
     << all.substr(0, static_cast<std::size_t>(share * static_cast<double>(all.size())));
-}
 }
 
 //------------------------------------------------------------------------------
@@ -443,4 +442,5 @@ TEST(CADReader, NamesAndColoursOfTheFileArrive)
     named += isUpper ? 1 : 0;
   }
   EXPECT_EQ(named, 2);
+}
 }

@@ -26,10 +26,10 @@
 #include <string>
 #include <vector>
 
+namespace TestCADSweep
+{
 using cadmeshes::temporaryFile;
 
-namespace
-{
 double sizeOf(const TopoDS_Shape& shape)
 {
   Bnd_Box box;
@@ -70,7 +70,6 @@ bool haveTheSamePoints(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
     same = p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
   }
   return same;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -247,3 +246,4 @@ INSTANTIATE_TEST_SUITE_P(Data, CADSweepOfAssemblies,
   testing::Values("bolted_joint", "flanged_pipe", "lined_elbow", "pad_on_plate", "pin_in_plate",
     "sector_ring", "tee_blocks", "three_blocks"),
   [](const testing::TestParamInfo<std::string>& given) { return given.param; });
+}

@@ -9,7 +9,7 @@
 
 #include <ctime>
 
-namespace
+namespace TestAbortIsHeard
 {
 using namespace test;
 

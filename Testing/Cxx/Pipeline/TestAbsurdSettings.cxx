@@ -10,7 +10,7 @@
 #include <chrono>
 #include <limits>
 
-namespace
+namespace TestAbsurdSettings
 {
 using namespace test;
 

@@ -8,7 +8,7 @@
 #include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
-namespace
+namespace TestBrokenData
 {
 using namespace test;
 

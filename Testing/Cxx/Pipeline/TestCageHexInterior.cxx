@@ -36,7 +36,7 @@
 #include <string>
 #include <utility>
 
-namespace
+namespace TestCageHexInterior
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -150,7 +150,6 @@ vtkSmartPointer<vtkUnstructuredGrid> readCase(const std::string& name, const std
   reader->SetFileName(path.c_str());
   reader->Update();
   return reader->GetOutput();
-}
 }
 
 TEST(CageHexInterior, NumberingAndArraysFollowTheLayers)
@@ -460,8 +459,6 @@ TEST(CageHexInterior, InvertedHexesRaiseOneWarning)
   failing.expectError("hexahedra are inverted");
 }
 
-namespace
-{
 /// A straight sweep.
 Sweep straightSweep(int nx = 12, int ny = 9, int layers = 6)
 {
@@ -510,7 +507,6 @@ void expectConflicts(const Sweep& sweep, const std::vector<std::string>& parts)
   }
   EXPECT_EQ(text.find("EnsureValid"), std::string::npos) << text;
   EXPECT_EQ(text.find("Automatic"), std::string::npos) << text;
-}
 }
 
 TEST(CageHexInterior, WhatTheBoundaryForbidsIsCountedAndNamed)
@@ -929,4 +925,5 @@ TEST(CageHexInterior, TheTopologicalModelIsTheTargetTranslated)
       ASSERT_LT((point(k, i) - expected).norm(), 1e-12);
     }
   }
+}
 }

@@ -31,7 +31,7 @@
 #include <thread>
 #include <vector>
 
-namespace
+namespace TestCageHexThreads
 {
 using hexsweep::Index;
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
@@ -142,7 +142,6 @@ public:
 private:
   std::string Backend;
 };
-}
 
 TEST(CageHexThreads, SameBitsWithAnyNumberOfThreads)
 {
@@ -262,4 +261,5 @@ TEST(CageHexThreads, AnAbortEmptiesTheOutput)
       test::expectEmptyWhenAborted(filter, fraction);
     }
   }
+}
 }

@@ -8,7 +8,7 @@
 
 #include <sstream>
 
-namespace
+namespace TestCandidateTable
 {
 using Ids = std::vector<vtkIdType>;
 

@@ -12,7 +12,7 @@
 #include <vtkMeshQuality.h>
 #include <vtkTrivialProducer.h>
 
-namespace
+namespace TestChainedDiskMaps
 {
 using test::Grid;
 using test::report;
@@ -101,7 +101,6 @@ std::vector<std::pair<std::string, SweepGrids>> sweeps()
 {
   return { { "ubend", test::readCase("ubend") }, { "taper10", test::readCase("taper10") },
     { "plate with three holes", test::plateSweep(3) } };
-}
 }
 
 TEST(ChainedDiskMaps, GiveTheSameMeshAsTheProjectorAlone)
@@ -198,4 +197,5 @@ TEST(ChainedDiskMaps, ChangesUpstreamComeThrough)
   chain.SourceMap->SetWeightsToCotangent();
   chain.TargetMap->SetWeightsToCotangent();
   test::expectSameBits(first, chain.run());
+}
 }

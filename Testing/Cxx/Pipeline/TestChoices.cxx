@@ -15,7 +15,7 @@
 #include <functional>
 #include <limits>
 
-namespace
+namespace TestChoices
 {
 using test::expectOneError;
 namespace reports = hexsweep::reports;
@@ -37,7 +37,6 @@ void expectRefused(vtkAlgorithm* filter, const std::function<void(int)>& set, in
 test::SweepGrids caps()
 {
   return test::plateSweep(1);
-}
 }
 
 TEST(Choices, OfTheDiskMap)
@@ -169,4 +168,5 @@ TEST(Choices, TheSolidSweepProjectsAsAsked)
   EXPECT_GT(output->GetNumberOfCells(), 0);
   EXPECT_EQ(test::textReport(output, reports::Projection), "AffineLeastSquares");
   EXPECT_FALSE(output->GetFieldData()->HasArray(reports::Weights));
+}
 }

@@ -9,7 +9,7 @@
 
 #include <complex>
 
-namespace
+namespace TestCurvedCaps
 {
 using test::Corners;
 using test::Grid;
@@ -262,7 +262,6 @@ void expectUpright(vtkUnstructuredGrid* quads)
 class CurvedCaps : public testing::TestWithParam<CurvedCase>
 {
 };
-}
 
 TEST_P(CurvedCaps, EveryQuadLandsUprightOnTheSurface)
 {
@@ -320,3 +319,4 @@ INSTANTIATE_TEST_SUITE_P(Spheres, CurvedCaps,
     CurvedCase{ "ThreeQuartersWavyRim", 2 * Pi / 3, 0.0, 0.0, 0.0, false, 1.0, 0, 0.3 },
     CurvedCase{ "ThreeQuartersWavyRimHole", 2 * Pi / 3, 0.2, 0.3, -0.3, false, 2.0, 8, 0.25 }),
   [](const auto& curved) { return curved.param.name; });
+}

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace
+namespace TestExactIds
 {
 using namespace test;
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace
+namespace TestExtremeCoordinates
 {
 using namespace test;
 

@@ -8,7 +8,7 @@
 #include <vtkSweepSets.h>
 #include <vtkTable.h>
 
-namespace
+namespace TestFailure
 {
 using namespace test;
 

@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace
+namespace TestFailureSolids
 {
 struct Failure
 {

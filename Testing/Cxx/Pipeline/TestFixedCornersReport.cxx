@@ -9,7 +9,7 @@
 
 #include <vtkDataArray.h>
 
-namespace
+namespace TestFixedCornersReport
 {
 using test::Corners;
 using test::report;
@@ -155,7 +155,6 @@ std::set<vtkIdType> cornerCells(vtkIdType n)
 {
   return { 0, n - 1, n * (n - 1), n * n - 1 };
 }
-}
 
 TEST(FixedCorners, OnlyTheQuadsAtConcaveRimNodesStayInverted)
 {
@@ -226,4 +225,5 @@ TEST(FixedCorners, ARoundRimHasAFloorThatIsReached)
     report(result.output, hexsweep::reports::FloorScaledJacobian), std::sin(0.5 * Pi / n), 1e-12);
   EXPECT_EQ(report(result.output, hexsweep::reports::MinScaledJacobian),
     report(result.output, hexsweep::reports::FloorScaledJacobian));
+}
 }

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace
+namespace TestHarmonicDiskMap
 {
 using test::Corners;
 using test::expectOneError;
@@ -133,7 +133,6 @@ Grid moebiusStrip()
     quads.push_back({ 2 * i, last ? 1 : 2 * i + 2, last ? 0 : 2 * i + 3, 2 * i + 1 });
   }
   return test::gridOf(points, quads, VTK_QUAD);
-}
 }
 
 TEST(HarmonicDiskMap, OneLoopAlone)
@@ -679,8 +678,6 @@ TEST(HarmonicDiskMap, ErrorsDoNotLast)
   EXPECT_GT(map.filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
-namespace
-{
 std::vector<double> reports(vtkDataSet* data, const std::string& name)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name.c_str());
@@ -738,7 +735,6 @@ double diskArea(vtkUnstructuredGrid* output)
     area += 0.5 * std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
   }
   return area;
-}
 }
 
 TEST(HarmonicDiskMap, KoebeIsTheDefault)
@@ -931,4 +927,5 @@ TEST(HarmonicDiskMap, KoebeTakesMeanValueWeights)
     }
   }
   expectLoopsOnCircles(output);
+}
 }

@@ -12,7 +12,7 @@
 
 #include <functional>
 
-namespace
+namespace TestHexGridWriter
 {
 using namespace test;
 using Settings = std::function<void(vtkXMLUnstructuredGridWriter*)>;

@@ -41,7 +41,7 @@
 #include <string>
 #include <vector>
 
-namespace
+namespace TestHexValidity
 {
 using Corners = std::array<std::array<double, 3>, 8>;
 
@@ -150,7 +150,6 @@ struct Judgement
       ->GetTuple1(0);
   }
 };
-}
 
 TEST(HexValidity, EqualsVerdictOnShakenCubes)
 {
@@ -455,4 +454,5 @@ TEST(HexValidity, ProgressMovesAndAnAbortEmptiesTheOutput)
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
   EXPECT_EQ(events.errors.size(), 0u);
+}
 }

@@ -11,7 +11,7 @@
 
 #include <set>
 
-namespace
+namespace TestImproveTriangulation
 {
 using Edges = std::set<std::pair<vtkIdType, vtkIdType>>;
 
@@ -72,7 +72,6 @@ vtkSmartPointer<vtkHarmonicDiskMap> run(vtkDataSet* input, int improvement)
   filter->SetImproveTriangulation(improvement);
   filter->Update();
   return filter;
-}
 }
 
 TEST(ImproveTriangulation, AutomaticIsTheDefault)
@@ -136,4 +135,5 @@ TEST(ImproveTriangulation, UnknownNumbers)
     filter->SetImproveTriangulation(unknown);
     test::expectOneError(filter, "ImproveTriangulation " + std::to_string(unknown));
   }
+}
 }

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-namespace
+namespace TestInvariance
 {
 using test::Grid;
 using test::report;
@@ -127,7 +127,6 @@ SweepGrids sweepNamed(const std::string& name)
 class Invariance : public testing::TestWithParam<InvarianceCase>
 {
 };
-}
 
 TEST_P(Invariance, OfDiskMapsAndQuads)
 {
@@ -176,3 +175,4 @@ INSTANTIATE_TEST_SUITE_P(Sweeps, Invariance,
     InvarianceCase{ "plate3", 1e6, 16.0 }, InvarianceCase{ "gear_round", 1e6, 64.0 },
     InvarianceCase{ "fig8_concave_twisted_hole", 3e3, 128.0 }),
   [](const auto& sweep) { return sweep.param.name; });
+}

@@ -10,7 +10,7 @@
 #include <vtkLinkingSideMesher.h>
 #include <vtkSweepQuadProjector.h>
 
-namespace
+namespace TestLinkingSideMesher
 {
 using test::CadSolid;
 using test::report;

@@ -13,7 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkSweepSets.h>
 
-namespace
+namespace TestManyToManySweep
 {
 using hexsweep::Index;
 using Surface = vtkSmartPointer<vtkPolyData>;
@@ -95,7 +95,6 @@ double volumeInside(vtkUnstructuredGrid* boundary)
     volume += (p[0].dot(p[1].cross(p[2])) + p[0].dot(p[2].cross(p[3]))) / 6.0;
   }
   return volume;
-}
 }
 
 TEST(ManyToManySweep, MeshesAPlateWithAPost)
@@ -233,4 +232,5 @@ TEST(ManyToManySweep, PropertiesOutOfRangeAreErrors)
   EXPECT_NE(
     errorOf([](auto* f) { f->SetSweepDirection(HUGE_VAL, 0.0, 0.0); }).find("SweepDirection"),
     std::string::npos);
+}
 }

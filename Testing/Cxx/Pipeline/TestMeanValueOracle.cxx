@@ -10,7 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 
-namespace
+namespace TestMeanValueOracle
 {
 using hexsweep::Index;
 using hexsweep::TriangleMesh;
@@ -32,7 +32,6 @@ Eigen::VectorXd weightsOfVtk(const TriangleMesh& cage, const Eigen::RowVector3d&
   vtkMeanValueCoordinatesInterpolator::ComputeInterpolationWeights(
     x.data(), points, triangles, weights.data());
   return weights;
-}
 }
 
 TEST(MeanValueOracle, CoreEqualsVtkAtUnitSize)
@@ -65,4 +64,5 @@ TEST(MeanValueOracle, CoreNeedsNoUnitSize)
     EXPECT_LT(
       (coordinates.at((motion * point).transpose()) - expected).cwiseAbs().maxCoeff(), 1e-10);
   }
+}
 }

@@ -19,7 +19,7 @@
 
 #include <fstream>
 
-namespace
+namespace TestMemoryLimits
 {
 using namespace test;
 

@@ -15,7 +15,7 @@
 
 #include <unistd.h>
 
-namespace
+namespace TestMeshWriters
 {
 using namespace test;
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace
+namespace TestMirrorImages
 {
 using test::Grid;
 using test::SolidSweep;

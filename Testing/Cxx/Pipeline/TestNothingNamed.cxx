@@ -3,7 +3,7 @@
 #include "BlockSolids.h"
 #include "FailureSolids.h"
 
-namespace
+namespace TestNothingNamed
 {
 using test::SolidSweep;
 using Ids = std::vector<vtkIdType>;

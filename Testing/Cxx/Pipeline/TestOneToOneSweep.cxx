@@ -9,7 +9,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
 
-namespace
+namespace TestOneToOneSweep
 {
 using test::CadSolid;
 using test::report;

@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-namespace
+namespace TestOneToOneThreads
 {
 using namespace test;
 
@@ -35,7 +35,6 @@ void expectSameBits(vtkDataArray* a, vtkDataArray* b)
   EXPECT_EQ(std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes), 0)
     << (a->GetName() ? a->GetName() : "no name");
 }
-}
 
 TEST(OneToOneThreads, SameBitsWithAnyNumberOfThreads)
 {
@@ -57,4 +56,5 @@ TEST(OneToOneThreads, SameBitsWithAnyNumberOfThreads)
       }
     }
   }
+}
 }

@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-namespace
+namespace TestSameBits
 {
 using namespace test;
 

@@ -8,7 +8,7 @@
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
 
-namespace
+namespace TestSelection
 {
 using test::Grid;
 using test::Point;

@@ -9,7 +9,7 @@
 #include <vtkSweepSets.h>
 #include <vtkTable.h>
 
-namespace
+namespace TestSeveralBodies
 {
 using test::Grid;
 using test::Point;

@@ -6,7 +6,7 @@
 #include <vtkSolidFaces.h>
 #include <vtkTable.h>
 
-namespace
+namespace TestSolidFaces
 {
 using namespace test;
 

@@ -35,7 +35,7 @@
 
 #include <set>
 
-namespace
+namespace TestSolidReader
 {
 using hexsweep::findSweepTopology;
 using hexsweep::Index;
@@ -202,7 +202,6 @@ Grid gmshBox(int missing = 0)
   }
   addIds(grid, hexsweep::arrays::CellEntityIds, ids);
   return grid;
-}
 }
 
 TEST(SolidReader, TheSolidsComeApartAsTheirCasesSay)
@@ -660,4 +659,5 @@ TEST(SolidReader, MissingOrEmpty)
   const vtkIdType ids[2] = { 0, 1 };
   lines->InsertNextCell(VTK_LINE, 2, ids);
   expectInvalid([&] { readSolid(lines); }, "the solid is empty (no surface cells)");
+}
 }

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace
+namespace TestSweepCases
 {
 using test::report;
 
@@ -86,7 +86,6 @@ HexCount count(vtkUnstructuredGrid* grid)
   }
   return result;
 }
-}
 
 TEST_P(SweepCases, EveryElementIsValid)
 {
@@ -124,8 +123,6 @@ INSTANTIATE_TEST_SUITE_P(Data, SweepCases,
     Reached{ "chord_mismatch", 0.374, 0.889, 0.35, 0.89 }),
   [](const testing::TestParamInfo<Reached>& test) { return std::string(test.param.name); });
 
-namespace
-{
 /// A surface over the plane: height of the place (u, v), both in [-1, 1], the radius being 1.
 struct Bend
 {
@@ -209,7 +206,6 @@ BentReached bentReached(const std::string& name, const std::string& bend)
 class BentSweeps : public testing::TestWithParam<std::tuple<const char*, Bend>>
 {
 };
-}
 
 TEST_P(BentSweeps, EveryElementIsValid)
 {
@@ -235,3 +231,4 @@ INSTANTIATE_TEST_SUITE_P(Data, BentSweeps,
   [](const auto& test) {
     return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param).name;
   });
+}

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace
+namespace TestSweepChains
 {
 using namespace test;
 

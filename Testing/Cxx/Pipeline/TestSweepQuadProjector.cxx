@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace
+namespace TestSweepQuadProjector
 {
 using test::Corners;
 using test::expectOneError;
@@ -167,7 +167,6 @@ SweepGrids withMaps(const SweepGrids& sweep)
   target->Update();
   mapped.targetSurface = target->GetOutput();
   return mapped;
-}
 }
 
 TEST(SweepQuadProjector, NoQuadIsInvertedOnTheEasyCases)
@@ -723,8 +722,6 @@ TEST(SweepQuadProjector, WithoutLinkingSidesTheChosenStartsAreReported)
   EXPECT_EQ(starts->GetNumberOfTuples(), 4);
 }
 
-namespace
-{
 /// Quads of a rectangle, n a side, about the origin at a height, turned in its plane.
 Grid rectangleQuads(
   double width, double depth, vtkIdType n, double height, double degrees, double scale)
@@ -748,7 +745,6 @@ Grid rectangleQuads(
     }
   }
   return test::gridOf(points, quads, VTK_QUAD);
-}
 }
 
 TEST(SweepQuadProjector, WithoutLinkingSidesASquareBecomesARectangle)
@@ -1057,4 +1053,5 @@ TEST(SweepQuadProjector, FromInputWithBrokenCoordinates)
   Projection projection(sweep);
   projection.filter->SetDiskMapsToFromInput();
   expectOneError(projection.filter, "not finite");
+}
 }

@@ -12,7 +12,7 @@
 #include <vtkStringArray.h>
 #include <vtkSweepSets.h>
 
-namespace
+namespace TestSweepSets
 {
 using namespace test;
 

@@ -7,11 +7,10 @@
 #include <set>
 #include <stdexcept>
 
-namespace
+namespace TestThreadPool
 {
 using hexsweep::Index;
 using hexsweep::ThreadPool;
-}
 
 TEST(ThreadPool, EveryNumberIsCalledOnce)
 {
@@ -75,4 +74,5 @@ TEST(ThreadPool, ACallWithinACallIsRun)
   std::atomic<int> calls{ 0 };
   pool.run(10, [&](Index) { pool.run(10, [&](Index) { ++calls; }); });
   EXPECT_EQ(calls, 100);
+}
 }

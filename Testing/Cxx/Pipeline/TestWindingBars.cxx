@@ -9,7 +9,7 @@
 #include <vtkCellType.h>
 #include <vtkSweepQuadProjector.h>
 
-namespace
+namespace TestWindingBars
 {
 template <typename Cells>
 vtkSmartPointer<vtkUnstructuredGrid> gridOf(
@@ -58,7 +58,6 @@ struct Bar
     this->interior->SetInputData(2, sides);
   }
 };
-}
 
 TEST(WindingBars, TwoHolesByHalfATurn)
 {
@@ -87,4 +86,5 @@ TEST(WindingBars, WhatIsTooCoarseIsNamedByPlace)
   ASSERT_FALSE(bar.projectorEvents.warnings.empty());
   EXPECT_NE(bar.projectorEvents.warnings[0].find(" at ("), std::string::npos)
     << bar.projectorEvents.warnings[0];
+}
 }

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace
+namespace TestIntervalProgramme
 {
 using hexsweep::Index;
 using hexsweep::IntervalEquation;
@@ -84,7 +84,6 @@ double leastCost(const IntervalProgramme& programme)
       return least;
     }
   }
-}
 }
 
 TEST(IntervalProgramme, FreeNumbersAreTheNearestWholeOnes)
@@ -161,4 +160,5 @@ TEST(IntervalProgramme, WishesWithoutMeasureAreBoundedOrRefused)
     (std::vector<Index>{ 2, 1, 1 }));
   EXPECT_THROW(hexsweep::solveIntervals(sum(1e30)), hexsweep::InvalidInput);
   EXPECT_THROW(hexsweep::solveIntervals(sum(HUGE_VAL)), hexsweep::InvalidInput);
+}
 }

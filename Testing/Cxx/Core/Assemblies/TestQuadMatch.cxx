@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace
+namespace TestQuadMatch
 {
 using hexsweep::Index;
 using hexsweep::Quads;
@@ -34,7 +34,6 @@ std::vector<Index> unknown(Index n, const std::vector<std::pair<Index, Index>>& 
     points[static_cast<std::size_t>(point)] = image;
   }
   return points;
-}
 }
 
 TEST(QuadMatch, OneEdgeOfTheRimDecidesAboutAllPoints)
@@ -71,4 +70,5 @@ TEST(QuadMatch, OtherMeshesDoNotMatch)
   // What is known of another point contradicts.
   EXPECT_FALSE(
     hexsweep::matchQuads(source, source, unknown(3, { { 0, 0 }, { 1, 1 }, { 15, 12 } })));
+}
 }

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestSurfaceRegions
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -53,7 +53,6 @@ double volumeOf(const Points& points, const Triangles& triangles)
   }
   return volume;
 }
-}
 
 TEST(SurfaceRegions, TwoCubesWithACommonFaceAreTwoRegions)
 {
@@ -97,4 +96,5 @@ TEST(SurfaceRegions, AnOpenSurfaceHasNone)
 {
   const TwoCubes cubes;
   EXPECT_TRUE(hexsweep::surfaceRegions(cubes.points, cubes.triangles.topRows(8)).empty());
+}
 }

@@ -15,10 +15,10 @@
 #include <set>
 #include <vector>
 
+namespace TestVolumePieces
+{
 using namespace hexsweep;
 
-namespace
-{
 using Filled = std::function<bool(int, int, int)>;
 
 /// Unit cubes whose outer faces have an id a connected plane.
@@ -96,8 +96,6 @@ bool isCounterbored(int x, int y, int z)
 {
   const int wide = std::max(std::abs(x - 4), std::abs(y - 4));
   return z == 0 ? wide > 0 : wide > 1;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -225,4 +223,5 @@ TEST(VolumePieces, NeighboursShareWhatWasCut)
     }
   }
   EXPECT_EQ(pairs, (std::set<std::vector<Index>>{ { 0, 1 }, { 0, 2 }, { 1, 2 } }));
+}
 }

@@ -18,7 +18,7 @@
 #include <random>
 #include <vector>
 
-namespace
+namespace TestCapDescent
 {
 using hexsweep::CapCorners;
 using hexsweep::CapDescent;
@@ -172,7 +172,6 @@ void expectFixedStay(const FlatCap& cap, const Points& points)
       EXPECT_EQ(points.row(static_cast<Index>(i)), cap.mesh.points.row(static_cast<Index>(i)));
     }
   }
-}
 }
 
 // Differences of a quadratic function are exact: one step leads to where they vanish.
@@ -432,4 +431,5 @@ TEST(CapDescent, WithoutFreeNodesNothingMoves)
   EXPECT_EQ(result.points, cap.mesh.points);
   EXPECT_EQ(result.before, 0.0); // no corner can move
   EXPECT_EQ(result.after, 0.0);
+}
 }

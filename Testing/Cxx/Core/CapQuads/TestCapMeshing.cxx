@@ -6,7 +6,7 @@
 #include "Core/CapQuads/CapMeshing.h"
 #include "Core/Geometry/TriangleSearch.h"
 
-namespace
+namespace TestCapMeshing
 {
 using namespace test;
 using hexsweep::CapQuadOptions;
@@ -120,7 +120,6 @@ TriangleMesh sphereCap(Index rings, Index around, double angle)
     mesh.points.row(i) << std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), -std::cos(t);
   }
   return mesh;
-}
 }
 
 TEST(CapQuads, SquareOfTwoTrianglesIsCoveredByQuadsOfTheWantedSize)
@@ -344,4 +343,5 @@ TEST(CapQuads, AnAbortEndsTheWork)
   options.size = 0.05;
   EXPECT_THROW(meshCapWithQuads(coarsePlate(1.0, {}), {}, options, [](double) { return false; }),
     hexsweep::Aborted);
+}
 }

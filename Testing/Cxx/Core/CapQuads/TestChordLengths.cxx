@@ -13,10 +13,10 @@
 #include <cmath>
 #include <vector>
 
+namespace TestChordLengths
+{
 using namespace hexsweep;
 
-namespace
-{
 constexpr double Radius = 3.0;
 
 /// The cap of a sphere up to 70 degrees from its pole, finely divided.
@@ -67,7 +67,6 @@ std::vector<double> rises(const QuadMesh& mesh)
   std::sort(all.begin(), all.end());
   return all;
 }
-}
 
 //------------------------------------------------------------------------------
 TEST(ChordLengths, AreThoseOfTheSphere)
@@ -111,4 +110,5 @@ TEST(ChordLengths, QuadsKeepTheToleranceWhereTheyAreMade)
   }
   options.chordTolerance = -0.1;
   EXPECT_THROW(meshCapWithQuads(cap, {}, options), hexsweep::InvalidInput);
+}
 }

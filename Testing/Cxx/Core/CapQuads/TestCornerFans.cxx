@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace
+namespace TestCornerFans
 {
 using hexsweep::CapQuadOptions;
 using hexsweep::CapQuads;
@@ -59,7 +59,6 @@ double leastAngleAt(const CapQuads& quads, const Eigen::RowVector3d& place)
   }
   return least;
 }
-}
 
 TEST(CornerFans, CornersGetTheQuadsThatTheyAreAskedToHave)
 {
@@ -108,4 +107,5 @@ TEST(CornerFans, OnlyTheNodesThatAreNamedChange)
   {
     EXPECT_EQ(quadsAt(opened, cap.points.row(j)), quadsAt(plain, cap.points.row(j)));
   }
+}
 }

@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-namespace
+namespace TestCornerTerms
 {
 using hexsweep::CornerTerm;
 
@@ -43,7 +43,6 @@ void expectDerivatives(const std::function<CornerTerm(const Eigen::Matrix2d&)>& 
 hexsweep::CurvePoint falling(double x)
 {
   return { std::exp(-2.0 * x), -2.0 * std::exp(-2.0 * x), 4.0 * std::exp(-2.0 * x) };
-}
 }
 
 TEST(CornerTerms, DistortionMatchesDifferences)
@@ -139,4 +138,5 @@ TEST(CornerTerms, HexJacobianMatchesDifferences)
     EXPECT_NEAR(at.value, falling(arms.determinant()).value, 1e-12);
   }
   EXPECT_GT(inverted, 50);
+}
 }

@@ -5,11 +5,11 @@
 #include "Core/CapQuads/QuadNodeMoves.h"
 #include "Core/Surfaces/SurfaceTopology.h"
 
+namespace TestQuadNodeMoves
+{
 using namespace hexsweep;
 using namespace test;
 
-namespace
-{
 std::vector<bool> boundaryOf(const QuadMesh& mesh)
 {
   std::vector<bool> fixed(static_cast<std::size_t>(mesh.points.rows()), false);
@@ -72,7 +72,6 @@ const std::vector<Block>& twoHoles()
 {
   static const std::vector<Block> holes = { { 2, 2, 2, 2 }, { 7, 6, 3, 3 } };
   return holes;
-}
 }
 
 TEST(QuadNodeMoves, BringAGridBackToItsSquares)
@@ -194,4 +193,5 @@ TEST(QuadNodeMoves, SleepingNodesStay)
   moves.wake(moves.least()); // no corner is below the least
   EXPECT_EQ(moves.sweep(same({}, corners, moves.least())), 0);
   EXPECT_EQ(moves.points(), grid.quads.points);
+}
 }

@@ -4,7 +4,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestQuadProjection
 {
 using hexsweep::CapDisk;
 using hexsweep::DiskDomain;
@@ -76,7 +76,6 @@ Points placed(const TriangleMesh& mesh, const std::vector<Sample>& places)
 std::vector<bool> all(Index n)
 {
   return std::vector<bool>(static_cast<std::size_t>(n), true);
-}
 }
 
 TEST(QuadProjection, CarriesBarycentricCoordinates)
@@ -266,4 +265,5 @@ TEST(QuadProjection, CanBeAborted)
   EXPECT_THROW(hexsweep::projectThroughDisks(
                  mesh.points, all(mesh.points.rows()), {}, cap, cap, [](double) { return false; }),
     hexsweep::Aborted);
+}
 }

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace
+namespace TestQuadQuality
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -37,7 +37,6 @@ Points corners(std::initializer_list<std::array<double, 2>> xy)
 double scaledJacobian(const Points& points)
 {
   return hexsweep::quadQuality(points, oneQuad(), up(4)).scaledJacobian[0];
-}
 }
 
 TEST(QuadQuality, SquareAndRectangleAreOne)
@@ -144,4 +143,5 @@ TEST(QuadQuality, SizePlaceAndTurnDoNotMatter)
       100 * placement.relativeRounding)
       << placement.name;
   }
+}
 }

@@ -4,11 +4,11 @@
 #include "Core/CapQuads/QuadPolishing.h"
 #include "Core/CapQuads/QuadQuality.h"
 
+namespace TestQuadUntangling
+{
 using namespace hexsweep;
 using namespace test;
 
-namespace
-{
 /// Quads on a surface that is triangulated apart from them.
 struct CapModel
 {
@@ -174,7 +174,6 @@ void expectUntangled(const CapModel& cap)
       ASSERT_EQ(result.points.row(row), cap.quads.points.row(row)) << "boundary node " << i;
     }
   }
-}
 }
 
 TEST(QuadUntangling, CuresAShakenPlate)
@@ -467,4 +466,5 @@ TEST(QuadPolishing, DoesNotDependOnSizeAndPlace)
     EXPECT_NEAR(result.quality.minimum, reference.quality.minimum, tolerance) << placement.name;
     EXPECT_NEAR(result.quality.mean, reference.quality.mean, tolerance) << placement.name;
   }
+}
 }

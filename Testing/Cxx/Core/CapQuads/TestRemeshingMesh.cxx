@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-namespace
+namespace TestRemeshingMesh
 {
 using hexsweep::Index;
 using hexsweep::RemeshingInput;
@@ -51,7 +51,6 @@ RemeshingInput smallPlate()
     input.stays[static_cast<std::size_t>(i)] = p[0] != 0.5 && p[1] != 0.5;
   }
   return input;
-}
 }
 
 TEST(RemeshingMesh, ShapeIsAreaOverSquaredLongestEdge)
@@ -153,4 +152,5 @@ TEST(RemeshingMesh, LengthsAreRelativeToWhatIsWanted)
       EXPECT_EQ(mesh.isKept(e), mesh.position(other).norm() == 0.5);
     }
   }
+}
 }

@@ -8,7 +8,7 @@
 #include "Support/CapMeshes.h"
 #include "Support/LentThreads.h"
 
-namespace
+namespace TestSweepProjection
 {
 using hexsweep::Index;
 using hexsweep::Loop;
@@ -92,7 +92,6 @@ void expectBoundaryExact(const SweepProjection& result, const QuadMesh& quads, c
       EXPECT_EQ(result.quads.points.row(v), image.row(v));
     }
   }
-}
 }
 
 TEST(SweepProjection, HalvesAlongTheShorterDiagonal)
@@ -439,4 +438,5 @@ TEST(SweepProjection, UntanglingUnwindsATwistedMap)
     EXPECT_EQ(one.quads.points, hexsweep::projectSweep(input).quads.points);
   }
   expectBoundaryExact(result, cap.quads, motion(cap.quads.points));
+}
 }

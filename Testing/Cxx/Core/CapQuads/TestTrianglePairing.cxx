@@ -3,7 +3,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestTrianglePairing
 {
 using test::Index;
 
@@ -39,7 +39,6 @@ double quadArea(const test::Points& points, const test::Quads& quads)
     area += 0.5 * a.cross(b).z();
   }
   return area;
-}
 }
 
 TEST(TrianglePairing, HalvedSquaresComeBack)
@@ -87,4 +86,5 @@ TEST(TrianglePairing, NoPairLiesAcrossAKeptEdge)
   two.triangles << 0, 1, 2, 0, 2, 3;
   EXPECT_EQ(hexsweep::pairTriangles(two, upward(two), {}).quads.rows(), 1);
   EXPECT_EQ(hexsweep::pairTriangles(two, upward(two), { { 2, 0 } }).quads.rows(), 0);
+}
 }

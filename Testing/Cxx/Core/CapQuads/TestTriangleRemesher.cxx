@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace
+namespace TestTriangleRemesher
 {
 using hexsweep::Index;
 using hexsweep::Loop;
@@ -149,7 +149,6 @@ hexsweep::Points relaxed(const RemeshingInput& input)
   expectKept(input, result);
   EXPECT_GT(leastArea(result.mesh), 0.0);
   return result.mesh.points.row(result.pointOf.back());
-}
 }
 
 TEST(TriangleRemesher, FlipsToDelaunay)
@@ -368,4 +367,5 @@ TEST(TriangleRemesher, RelaxingTurnsNoTriangleOver)
   arrow << 0.0, 1.0, 0.0, -4.0, -4.0, 0.0, 0.0, 0.0, 0.0, 4.0, -4.0, 0.0;
   const Eigen::RowVector3d start(0.0, 0.5, 0.0);
   EXPECT_EQ(relaxed(fan(arrow, start)), start);
+}
 }

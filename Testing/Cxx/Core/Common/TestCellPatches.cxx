@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestCellPatches
 {
 using hexsweep::CellPatch;
 using hexsweep::cellPatches;
@@ -16,7 +16,6 @@ using test::Index;
 Index cube(Index n, Index i, Index j, Index k)
 {
   return (k * n + j) * n + i;
-}
 }
 
 TEST(CellPatches, HexesAtEachNode)
@@ -108,4 +107,5 @@ TEST(CellPatches, QuadsAreCellsAsWell)
       EXPECT_EQ(patches[0].nodes[static_cast<std::size_t>(local)], quads(patches[0].cells[c], i));
     }
   }
+}
 }

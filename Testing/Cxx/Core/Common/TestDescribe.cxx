@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace TestDescribe
+{
 TEST(Describe, NumbersAreShort)
 {
   EXPECT_EQ(hexsweep::describe(0.25), "0.25");
@@ -19,4 +21,5 @@ TEST(Describe, WhatIsNoNumberHasNoSign)
   EXPECT_EQ(hexsweep::describe(nan), "nan");
   EXPECT_EQ(hexsweep::describe(-nan), "nan");
   EXPECT_EQ(hexsweep::describe(Eigen::RowVector3d(1.0, -nan, 2.0)), "(1, nan, 2)");
+}
 }

@@ -8,10 +8,9 @@
 #include <cstdint>
 #include <random>
 
-namespace
+namespace TestExpansion
 {
 using hexsweep::Expansion;
-}
 
 TEST(Expansion, KeepsWhatADoubleLoses)
 {
@@ -61,4 +60,5 @@ TEST(Expansion, EqualsIntegerArithmetic)
     EXPECT_EQ(toDouble(difference - (exact(high) * exact(1 << 30) + exact(low))), 0.0);
     EXPECT_EQ(toDouble(difference), static_cast<double>(truth));
   }
+}
 }

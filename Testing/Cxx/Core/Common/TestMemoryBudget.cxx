@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace
+namespace TestMemoryBudget
 {
 TEST(MemoryBudget, WhatFitsIsNotRefused)
 {

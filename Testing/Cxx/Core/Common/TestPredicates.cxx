@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <random>
 
-namespace
+namespace TestPredicates
 {
 using Point = Eigen::RowVector2d;
 __extension__ using Wide = __int128;
@@ -53,7 +53,6 @@ int compare(const IntegerPoint& p, const IntegerPoint& q, const IntegerPoint& r,
   EXPECT_EQ(hexsweep::orientation(a, c, b), -expected);
   EXPECT_EQ(hexsweep::orientation(c, b, a), -expected);
   return naiveSign(a, b, c) == expected ? 0 : 1;
-}
 }
 
 TEST(Predicates, PlainTriangles)
@@ -137,4 +136,5 @@ TEST(Predicates, CoordinatesOfDifferentMagnitude)
     wrong += compare(a, b, c, -2);
   }
   EXPECT_GT(wrong, 0) << "the points are not hard enough to test anything";
+}
 }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestUniqueNames
 {
 using hexsweep::uniqueNames;
 using Names = std::vector<std::string>;

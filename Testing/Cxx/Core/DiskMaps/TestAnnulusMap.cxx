@@ -9,7 +9,7 @@
 
 #include <complex>
 
-namespace
+namespace TestAnnulusMap
 {
 using hexsweep::AngleFunction;
 using hexsweep::Index;
@@ -104,7 +104,6 @@ Measured measure(const KnownAnnulus& known)
       std::max(measured.angleError, std::abs(hexsweep::wrapAngle(difference[i] - turn)));
   }
   return measured;
-}
 }
 
 TEST(AnnulusMap, AngleWindsOnceAboutTheHole)
@@ -209,4 +208,5 @@ TEST(AnnulusMap, SourceOfAnAngleThatIsHarmonicIsZero)
   const Eigen::VectorXd source =
     hexsweep::angleSource(hexsweep::cotangentLaplacian(mesh.points, mesh.triangles), angle);
   EXPECT_LT(source.cwiseAbs().maxCoeff(), 1e-12);
+}
 }

@@ -4,7 +4,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestCanonicalDiskMap
 {
 using hexsweep::CapDisk;
 using hexsweep::Circle;
@@ -30,7 +30,6 @@ void expectRim(const CapDisk& cap)
     EXPECT_NEAR(cap.disk(rim[k], 1), std::sin(angle), 1e-13);
     length += (cap.mesh.points.row(rim[(k + 1) % rim.size()]) - cap.mesh.points.row(rim[k])).norm();
   }
-}
 }
 
 TEST(CanonicalDiskMap, APlaneDiskIsItsOwnMap)
@@ -203,4 +202,5 @@ TEST(CanonicalDiskMap, WhatIsNoCap)
   test::expectInvalid(
     [&] { hexsweep::canonicalDiskMap(flat, HoleTreatment::ArcLength, Weights::Cotangent); },
     "no area");
+}
 }

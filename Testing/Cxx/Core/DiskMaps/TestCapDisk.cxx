@@ -4,7 +4,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestCapDisk
 {
 using hexsweep::CapDisk;
 using hexsweep::Circle;
@@ -27,7 +27,6 @@ double clearance(const std::vector<Circle>& circles)
     }
   }
   return least;
-}
 }
 
 TEST(CapDisk, BoundaryFlags)
@@ -164,4 +163,5 @@ TEST(CapDisk, FallsBackToMeanValueWeightsOnlyWhereThatHelps)
   const CapDisk asked = run(Weights::MeanValue, good, bad);
   EXPECT_EQ(asked.weights, Weights::MeanValue);
   EXPECT_EQ(asked.disk, bad);
+}
 }

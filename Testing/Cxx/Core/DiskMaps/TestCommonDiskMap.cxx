@@ -8,7 +8,7 @@
 
 #include <set>
 
-namespace
+namespace TestCommonDiskMap
 {
 using hexsweep::CapDisk;
 using hexsweep::CommonDisks;
@@ -117,7 +117,6 @@ TurnedAnnuli turnedAnnuli(Index around, Index steps, double inner, double growth
     annuli.pairs.push_back(pair);
   }
   return annuli;
-}
 }
 
 TEST(CommonDiskMap, OneLoopGoesToTheDisk)
@@ -367,4 +366,5 @@ TEST(CommonDiskMap, CanBeAborted)
     });
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_EQ(seen.back(), 1.0);
+}
 }

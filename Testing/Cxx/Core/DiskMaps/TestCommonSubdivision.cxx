@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-namespace
+namespace TestCommonSubdivision
 {
 using hexsweep::CutSurface;
 using hexsweep::DiskDomain;
@@ -26,7 +26,6 @@ CutSurface cutAll(const TriangleMesh& mesh, const PlanePoints& disk)
 Index numberOfCrossings(const IntrinsicTriangulation& intrinsic)
 {
   return intrinsic.crossings.sum() / 2;
-}
 }
 
 TEST(CommonSubdivision, APlaneCapComesBack)
@@ -84,4 +83,5 @@ TEST(CommonSubdivision, NothingWantedNothingCut)
   EXPECT_EQ(cut.mesh.points, mesh.points);
   EXPECT_EQ(cut.mesh.triangles, mesh.triangles);
   EXPECT_EQ(cut.disk, disk);
+}
 }

@@ -7,7 +7,7 @@
 
 #include "Core/DiskMaps/DiskDomain.h"
 
-namespace
+namespace TestConformalAnnulus
 {
 using hexsweep::ConformalAnnulus;
 using hexsweep::Index;
@@ -110,7 +110,6 @@ double modulusOfProfile(const std::function<Eigen::RowVector2d(double)>& profile
       integrand(static_cast<double>(k) / n);
   }
   return sum / (3.0 * n);
-}
 }
 
 TEST(ConformalAnnulus, PlaneAnnuli)
@@ -278,4 +277,5 @@ TEST(ConformalAnnulus, ThePeriodTellsACoarseMesh)
   EXPECT_GT(annulus.period, 2.0);
   EXPECT_GT(annulus.innerRadius, 0.0);
   EXPECT_LT(annulus.innerRadius, 1.0);
+}
 }

@@ -4,7 +4,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestDiskAutomorphism
 {
 using hexsweep::Circle;
 using hexsweep::DiskAutomorphism;
@@ -29,7 +29,6 @@ Complex balance(const DiskAutomorphism& map, const std::vector<double>& angles,
     total += weights[i];
   }
   return mean / total;
-}
 }
 
 TEST(DiskAutomorphism, KeepsTheUnitDiskAndItsMetric)
@@ -168,4 +167,5 @@ TEST(DiskAutomorphism, BalanceOfHeavyPoints)
     EXPECT_LT(std::abs(balance(hexsweep::balancingMap(angles, weights), angles, weights)), 1e-11)
       << heavy;
   }
+}
 }

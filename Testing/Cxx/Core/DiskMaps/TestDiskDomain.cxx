@@ -5,7 +5,7 @@
 #include "Core/Geometry/TriangleSearch.h"
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestDiskDomain
 {
 using hexsweep::DiskDomain;
 using hexsweep::DomainTriangles;
@@ -19,7 +19,6 @@ double areaOf(const Points& corners, Index t)
   const Eigen::RowVector3d u = corners.row(3 * t + 1) - corners.row(3 * t);
   const Eigen::RowVector3d v = corners.row(3 * t + 2) - corners.row(3 * t);
   return 0.5 * (u.x() * v.y() - u.y() * v.x());
-}
 }
 
 TEST(DiskDomain, WrapAngle)
@@ -156,4 +155,5 @@ TEST(DiskDomain, ATriangleWithoutAreaIsFlipped)
   disk.row(0) = 0.5 * disk.row(1);
   const auto one = test::facesOf<hexsweep::Triangles>({ 0, 1, 2 });
   EXPECT_EQ(hexsweep::domainTriangles(DiskDomain::Disk, disk, one).flipped.size(), 1u);
+}
 }

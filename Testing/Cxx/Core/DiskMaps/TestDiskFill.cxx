@@ -8,7 +8,7 @@
 
 #include <complex>
 
-namespace
+namespace TestDiskFill
 {
 using hexsweep::Index;
 using test::Pi;
@@ -89,7 +89,6 @@ double seriesEnergy(const Angles& angles, const Eigen::VectorXd& values, int ter
   }
   sum += jumps.squaredNorm() / (2.0 * Pi * Pi * terms * static_cast<double>(terms));
   return 2.0 * Pi * sum;
-}
 }
 
 TEST(DiskFill, EqualsTheFourierSeries)
@@ -239,4 +238,5 @@ TEST(DiskFill, AnArcThatVanishesDoesNotMatter)
     moreValues << values.head(5), values[5], values.tail(7);
     EXPECT_NEAR(energy(more, moreValues), expected, 100.0 * e + 1e-8) << e;
   }
+}
 }

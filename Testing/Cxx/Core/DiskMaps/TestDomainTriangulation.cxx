@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace
+namespace TestDomainTriangulation
 {
 using hexsweep::DiskDomain;
 using hexsweep::DomainTriangulation;
@@ -20,7 +20,6 @@ double areaOf(const DomainTriangulation& mesh, Index t)
   const Eigen::RowVector2d u = mesh.points.row(mesh.triangles(t, 1)) - a;
   const Eigen::RowVector2d v = mesh.points.row(mesh.triangles(t, 2)) - a;
   return 0.5 * (u.x() * v.y() - u.y() * v.x());
-}
 }
 
 TEST(DomainTriangulation, DisksAreTakenAsTheyAre)
@@ -109,4 +108,5 @@ TEST(DomainTriangulation, FlippedTrianglesStayFlipped)
       EXPECT_LT(areaOf(mesh, t), 0.0);
     }
   }
+}
 }

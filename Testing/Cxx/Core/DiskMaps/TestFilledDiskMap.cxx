@@ -6,7 +6,7 @@
 #include "Core/Solvers/SurfaceLaplacian.h"
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestFilledDiskMap
 {
 using hexsweep::FilledDiskMap;
 using hexsweep::Index;
@@ -31,7 +31,6 @@ Index flips(const PlanePoints& disk, const hexsweep::Triangles& triangles)
                disk.row(triangles(t, 2))) <= 0;
   }
   return count;
-}
 }
 
 TEST(FilledDiskMap, IsTheIdentityOnAPlaneAnnulus)
@@ -101,4 +100,5 @@ TEST(FilledDiskMap, SizePlaceAndTurnDoNotMatter)
     EXPECT_LT((map.disk - plain.disk).cwiseAbs().maxCoeff(), 1e4 * placement.relativeRounding)
       << placement.name;
   }
+}
 }

@@ -10,7 +10,7 @@
 
 #include <Eigen/Dense>
 
-namespace
+namespace TestGluedSphere
 {
 using hexsweep::Circle;
 using hexsweep::GluedSphere;
@@ -88,7 +88,6 @@ Eigen::MatrixXd stacked(const GluedSphere& sphere, std::size_t loops)
     all.bottomRows(image.rows()) = image;
   }
   return all;
-}
 }
 
 TEST(GluedSphere, ThePlaneIsMappedToItself)
@@ -186,4 +185,5 @@ TEST(GluedSphere, EqualsADenseSolve)
       ++row;
     }
   }
+}
 }

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-namespace
+namespace TestHoleCut
 {
 using hexsweep::Corners;
 using hexsweep::Index;
@@ -128,7 +128,6 @@ void check(
   EXPECT_TRUE(flagged(cut[0], cut[1]));
   EXPECT_FALSE(flagged(cut[1], cut[0]));
 }
-}
 
 TEST(HoleCut, AnnuliOfSeveralTriangulations)
 {
@@ -199,4 +198,5 @@ TEST(HoleCut, PiecesHaveNoCut)
   }
   test::expectInvalid(
     [&] { hexsweep::shortestCut(mesh.triangles, 2 * n, loops[1], other); }, "the cap is in pieces");
+}
 }

@@ -13,7 +13,7 @@
 
 #include <limits>
 
-namespace
+namespace TestKoebeMap
 {
 using hexsweep::Circle;
 using hexsweep::DiskAutomorphism;
@@ -285,7 +285,6 @@ KoebeMap expectSixRounds(const TriangleMesh& mesh, const std::vector<hexsweep::L
   expectCircleDomain(mesh, loops, map);
   return map;
 }
-}
 
 TEST(KoebeMap, OneHoleComesBack)
 {
@@ -543,4 +542,5 @@ TEST(KoebeMap, ProgressRisesAndAborts)
       hexsweep::Aborted);
     EXPECT_EQ(calls, stop);
   }
+}
 }

@@ -4,7 +4,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestMapDistortion
 {
 using hexsweep::CapDisk;
 using hexsweep::DiskDomain;
@@ -23,7 +23,6 @@ CapDisk capDisk(const TriangleMesh& mesh, const hexsweep::PlanePoints& disk,
   cap.disk = disk;
   cap.domain = domain;
   return cap;
-}
 }
 
 TEST(MapDistortion, SimilaritiesHaveNoneAndTheAreaAsEnergy)
@@ -102,4 +101,5 @@ TEST(MapDistortion, ACylinderIsItsAnnulus)
     hexsweep::mapDistortion(capDisk(mesh, disk, DiskDomain::Annulus));
   EXPECT_LT(distortion.worstAngle, 1e-9);
   EXPECT_NEAR(distortion.dirichletEnergy, 2.0 * Pi * step * high * 8.0, 1e-10);
+}
 }

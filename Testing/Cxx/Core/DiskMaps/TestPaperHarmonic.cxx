@@ -11,11 +11,11 @@
 #include <complex>
 #include <tuple>
 
+namespace TestPaperHarmonic
+{
 using namespace hexsweep;
 using test::Pi;
 
-namespace
-{
 /// The annulus inner <= |z| <= 1 and its loops, from angle 0 on, counter-clockwise both.
 struct Ring
 {
@@ -152,7 +152,6 @@ protected:
   double bound =
     2.0 * this->radius * std::cos(this->degrees * Pi / 180.0) / (1.0 + this->radius * this->radius);
 };
-}
 
 // The error is of first order in the cells: the derivative along a radius is taken half a cell away
 // from the hole (folds later), and across a diagonal when the hole turns (folds earlier).
@@ -332,4 +331,5 @@ TEST(PaperHarmonic, PinsTheSourceWhicheverCapTheLinkingSidesBeginWith)
       }
     }
   }
+}
 }

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace
+namespace TestAffineMap
 {
 using Eigen::Matrix3d;
 using Eigen::RowVector3d;
@@ -50,7 +50,6 @@ Matrix3d someMatrix()
   Matrix3d matrix;
   matrix << 1.2, 0.3, -0.4, 0.1, 0.8, 0.5, -0.6, 0.2, 1.7;
   return matrix;
-}
 }
 
 TEST(AreaVector, EqualsClosedForms)
@@ -186,4 +185,5 @@ TEST(AffineMap, UnusableNodesAreRefused)
 {
   EXPECT_THROW(fit(Points::Zero(5, 3), makeLoop(0, 5)), hexsweep::InvalidInput);
   EXPECT_THROW(fit(makeLoop(0, 5), makeLoop(0, 6)), hexsweep::InvalidInput);
+}
 }

@@ -7,7 +7,7 @@
 
 #include <numeric>
 
-namespace
+namespace TestBoundarySearch
 {
 using hexsweep::BoundaryMismatch;
 using hexsweep::Index;
@@ -63,7 +63,6 @@ BoundaryMismatch mismatch(const Points& cap, const Points& ring)
   Loop loop(static_cast<std::size_t>(cap.rows()));
   std::iota(loop.begin(), loop.end(), Index{ 0 });
   return hexsweep::boundaryMismatch(cap, { loop }, { ring }, 1e-6);
-}
 }
 
 TEST(BoundarySearch, FacetsOfOneCurveAreNoMismatch)
@@ -151,4 +150,5 @@ TEST(BoundarySearch, TheMismatchInWords)
     std::string::npos)
     << text;
   EXPECT_NE(text.find("by 0.0125 at ("), std::string::npos) << text;
+}
 }

@@ -8,11 +8,10 @@
 #include <random>
 #include <set>
 
-namespace
+namespace TestBoxTree
 {
 using hexsweep::BoxTree;
 using hexsweep::PlaneBox;
-}
 
 TEST(BoxTree, FindsTheNearestAndAllThatHoldAPoint)
 {
@@ -82,4 +81,5 @@ TEST(BoxTree, VisitsEverythingForWhatIsNotFinite)
     return 1.0;
   });
   EXPECT_EQ(visited, 100u);
+}
 }

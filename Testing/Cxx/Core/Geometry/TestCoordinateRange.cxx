@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace
+namespace TestCoordinateRange
 {
 using hexsweep::checkCoordinates;
 using hexsweep::Points;

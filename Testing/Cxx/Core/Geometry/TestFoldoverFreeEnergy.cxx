@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace
+namespace TestFoldoverFreeEnergy
 {
 template <int Dim>
 Eigen::Matrix<double, Dim, Dim> randomMatrix(std::mt19937& generator)
@@ -53,7 +53,6 @@ void checkDerivatives()
   }
   EXPECT_GT(inverted, 50); // both signs were tried
 }
-}
 
 TEST(FoldoverFreeEnergy, DerivativesMatchDifferencesInThePlane)
 {
@@ -94,4 +93,5 @@ TEST(FoldoverFreeEnergy, RegularisationFallsToNothingOnceAllIsUpright)
   EXPECT_LT(next, 1.0);
   // equation (6): chi of the worst element falls by just the rate
   EXPECT_NEAR(hexsweep::regularized(-0.2, next), 0.7 * hexsweep::regularized(-0.2, 1.0), 1e-12);
+}
 }

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <random>
 
-namespace
+namespace TestHilbertOrder
 {
 using hexsweep::CurvePlace;
 using hexsweep::HilbertCurve;
@@ -36,7 +36,6 @@ PlanePoints randomPoints(Index n)
     points.data()[i] = normal(generator);
   }
   return points;
-}
 }
 
 TEST(HilbertOrder, StepsFromCellToCell)
@@ -122,4 +121,5 @@ TEST(HilbertOrder, DoesNotDependOnSizeAndPlace)
       ASSERT_EQ(order[i].id, plain[i].id);
     }
   }
+}
 }

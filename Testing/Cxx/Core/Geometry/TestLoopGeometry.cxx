@@ -4,7 +4,7 @@
 #include "Core/Geometry/Circle.h"
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestLoopGeometry
 {
 using hexsweep::PlanePoints;
 using hexsweep::Points;
@@ -15,7 +15,6 @@ Points rectangle()
   Points polygon(4, 3);
   polygon << 0, 0, 5, 3, 0, 5, 3, 1, 5, 0, 1, 5;
   return polygon;
-}
 }
 
 TEST(LoopGeometry, LengthsOfARectangle)
@@ -63,4 +62,5 @@ TEST(Circle, PointsAtAngles)
   EXPECT_LT((points.row(0) - Eigen::RowVector2d(4, 2)).norm(), 1e-15);
   EXPECT_LT((points.row(1) - Eigen::RowVector2d(1, 5)).norm(), 1e-15);
   EXPECT_LT((points.row(2) - Eigen::RowVector2d(-2, 2)).norm(), 1e-15);
+}
 }

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace
+namespace TestPointGrid
 {
 using hexsweep::Index;
 using hexsweep::PointGrid;
@@ -16,7 +16,6 @@ std::set<Index> near(const PointGrid& grid, const Eigen::RowVector3d& place, dou
   std::set<Index> found;
   grid.forEachNear(place, radius, [&](Index id, double) { EXPECT_TRUE(found.insert(id).second); });
   return found;
-}
 }
 
 TEST(PointGrid, FindsWhatALoopOverAllPointsFinds)
@@ -65,4 +64,5 @@ TEST(PointGrid, CoincidentPointsAndPlacesFarAway)
   EXPECT_TRUE(near(grid, { 1, 1, std::nextafter(1.0, 2.0) }, 0.0).empty());
   EXPECT_TRUE(near(grid, { 1e300, 1, 1 }, 0.0).empty());
   EXPECT_TRUE(near(PointGrid(points, {}, 1.0), { 1, 1, 1 }, 1.0).empty());
+}
 }

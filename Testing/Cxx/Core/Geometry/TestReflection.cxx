@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace
+namespace TestReflection
 {
 using hexsweep::Points;
 using hexsweep::reflected;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestSolidAngle
 {
 double angleOf(const test::SolidInput& solid, const Eigen::RowVector3d& eye)
 {

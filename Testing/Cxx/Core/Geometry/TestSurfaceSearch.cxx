@@ -3,11 +3,10 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestSurfaceSearch
 {
 using hexsweep::Index;
 using hexsweep::Points;
-}
 
 TEST(SurfaceSearch, NormalsOfAPlaneAndOfASphere)
 {
@@ -88,4 +87,5 @@ TEST(SurfaceSearch, NormalsAloneAreThoseOfTheNearestPoints)
     const Points near = surface.points.array() + 0.01;
     EXPECT_LT((search.normals(near) - search.project(near).normals).cwiseAbs().maxCoeff(), 1e-14);
   }
+}
 }

@@ -4,7 +4,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestTriangleSearch
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -74,7 +74,6 @@ Points cornersOf(const hexsweep::TriangleMesh& mesh)
     corners.row(i) = mesh.points.row(mesh.triangles(i / 3, i % 3));
   }
   return corners;
-}
 }
 
 TEST(TriangleSearch, ProjectionToAnyTriangle)
@@ -226,4 +225,5 @@ TEST(TriangleSearch, SizePlaceAndTurnDoNotMatter)
         << placement.name;
     }
   }
+}
 }

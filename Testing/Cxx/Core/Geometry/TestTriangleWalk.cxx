@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace
+namespace TestTriangleWalk
 {
 using hexsweep::Index;
 using hexsweep::LocatedPoints;
@@ -209,7 +209,6 @@ PlaneMesh whirl(Index around)
     mesh.triangles.row(old + j) << 2 * around, j, (j + 1) % around;
   }
   return onGrid(mesh);
-}
 }
 
 TEST(TriangleWalk, RandomMeshesWithHoles)
@@ -521,4 +520,5 @@ TEST(PlaneTriangulation, NeighborsAreThoseOfTheSurface)
       }
     }
   }
+}
 }

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <set>
 
-namespace
+namespace TestFixedCorners
 {
 using hexsweep::Conflict;
 using hexsweep::ConflictCause;
@@ -69,7 +69,6 @@ HexBlock foldedBlock()
 HexBoxes cubes(const HexBlock& block)
 {
   return HexBoxes::Ones(block.hexes.rows(), 3);
-}
 }
 
 TEST(FixedCornersOfHexes, AFoldInAPlaneCapIsAConflict)
@@ -234,4 +233,5 @@ TEST(FixedCornersOfHexes, TheOrderOfTheWorkDoesNotMatter)
     EXPECT_EQ(alone.conflicts[i].node, shared.conflicts[i].node);
     EXPECT_EQ(alone.conflicts[i].cause, shared.conflicts[i].cause);
   }
+}
 }

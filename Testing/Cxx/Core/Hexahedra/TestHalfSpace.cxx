@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace
+namespace TestHalfSpace
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -73,7 +73,6 @@ Index mostOfManyPlanes(const Points& units)
   }
   return most;
 }
-}
 
 TEST(HalfSpace, IsTheLargestOfRandomVectors)
 {
@@ -122,4 +121,5 @@ TEST(HalfSpace, OppositeAndLostVectors)
   }
   EXPECT_EQ(
     hexsweep::largestHalfSpace(vectors, -axis), (std::vector<bool>{ false, true, false, true }));
+}
 }

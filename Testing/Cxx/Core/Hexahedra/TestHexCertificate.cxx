@@ -15,7 +15,7 @@
 #include <limits>
 #include <random>
 
-namespace
+namespace TestHexCertificate
 {
 using hexsweep::certifyHex;
 using hexsweep::Expansion;
@@ -64,7 +64,6 @@ HexCorners flatCorner()
   HexCorners corners = test::unitCube();
   corners.row(6) << 0.5, 0.5, 1.0;
   return corners;
-}
 }
 
 TEST(HexCertificate, BezierFormIsTheJacobianOfTheShapeFunctions)
@@ -246,4 +245,5 @@ TEST(HexCertificate, SizeDoesNotMatter)
       }
     }
   }
+}
 }

@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace
+namespace TestHexCertificateExact
 {
 using hexsweep::HexCorners;
 using hexsweep::HexQuality;
@@ -109,7 +109,6 @@ HexCorners hexOf(std::initializer_list<double> coordinates)
 {
   return Eigen::Map<const HexCorners>(coordinates.begin());
 }
-}
 
 TEST(HexCertificateExact, NeverContradictsExactNumbers)
 {
@@ -177,4 +176,5 @@ TEST(HexCertificateExact, TheOtherCertificateKnowsKnownShapes)
     EXPECT_EQ(everywhere(cube * std::ldexp(1.0, exponent)), Truth::Positive) << exponent;
     EXPECT_EQ(everywhere(flat * std::ldexp(1.0, exponent)), Truth::NotPositive) << exponent;
   }
+}
 }

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace
+namespace TestHexCertificateRandom
 {
 using hexsweep::HexCorners;
 using hexsweep::Validity;
@@ -94,7 +94,6 @@ struct Sample
   /// Least value over the lattice, relative to the product of the mean edges.
   double nearness;
 };
-}
 
 TEST(HexCertificateRandom, LatticeIsThatOfTheShapeFunctions)
 {
@@ -189,4 +188,5 @@ TEST(HexCertificateRandom, NoVerdictIsWrong)
   }
   // The descent is caught in a narrow valley now and then.
   EXPECT_LE(loose, nearest / 100);
+}
 }

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace
+namespace TestHexDescent
 {
 using test::Index;
 using test::Points;
@@ -72,7 +72,6 @@ struct OneFreeNode
     return descent.descend(this->start, hexsweep::HexSamples::Corners, epsilon, 100, 1e-15);
   }
 };
-}
 
 TEST(HexDescent, EndsWhereDifferencesOfTheSumVanish)
 {
@@ -122,4 +121,5 @@ TEST(HexDescent, WithoutFreeNodesNothingMoves)
   const hexsweep::HexDescent descent(
     block.points, block.hexes, hexsweep::HexBoxes::Ones(1, 3), std::vector<bool>(8, false));
   EXPECT_FALSE(descent.hasFreeNodes());
+}
 }

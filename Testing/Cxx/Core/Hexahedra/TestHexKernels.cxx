@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace
+namespace TestHexKernels
 {
 using hexsweep::HexCorners;
 using hexsweep::HexKernels;
@@ -99,7 +99,6 @@ template <typename Type>
 void expectSameBits(const Type& a, const Type& b)
 {
   EXPECT_EQ(std::memcmp(&a, &b, sizeof(Type)), 0);
-}
 }
 
 TEST(HexKernels, OrdersBeginWithAnyCornerAndStayRightHanded)
@@ -220,4 +219,5 @@ TEST(HexKernels, AllInstructionSetsGiveTheSameBits)
       expectSameBits(other->measure(around.corners()), kernels[0]->measure(around.corners()));
     }
   }
+}
 }

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace
+namespace TestHexMinimum
 {
 using hexsweep::Certificates;
 using hexsweep::RaisedMinimum;
@@ -33,8 +33,6 @@ HexBlock roundedBlock(Index n, double roundness)
       u[2] * std::sqrt(1 - s[0] / 2 - s[1] / 2 + s[0] * s[1] / 3);
   }
   return block;
-}
-
 }
 
 TEST(HexMinimum, RaisesItToWhatIsWanted)
@@ -188,4 +186,5 @@ TEST(HexMinimum, CanBeAborted)
   EXPECT_THROW(raiseMinimum(start, block.hexes, block.fixed, 0.9, Certificates::Stay, {},
                  [](double) { return false; }),
     hexsweep::Aborted);
+}
 }

@@ -8,14 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
+namespace TestHexNodeMoves
 {
 using hexsweep::HexLoss;
 using hexsweep::HexNodeMoves;
 using test::Index;
 
 constexpr HexLoss Losses[] = { {}, { 7.0, 0.2 }, { 40.0, 0.9 } };
-}
 
 TEST(HexNodeMoves, LossesMatchDifferencesAndFall)
 {
@@ -111,4 +110,5 @@ TEST(HexNodeMoves, AStepLowersTheSumAndKeepsTheFloor)
     }
   }
   EXPECT_GT(moved, 20);
+}
 }

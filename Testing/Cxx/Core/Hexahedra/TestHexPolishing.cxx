@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestHexPolishing
 {
 using hexsweep::polishHexes;
 using test::HexBlock;
@@ -20,7 +20,6 @@ void backwards(Index count, const std::function<void(Index)>& call)
   {
     call(i);
   }
-}
 }
 
 TEST(HexPolishing, RaisesTheMeanAndKeepsTheMinimum)
@@ -116,4 +115,5 @@ TEST(HexPolishing, CanBeAborted)
   EXPECT_THROW(
     polishHexes(block.points, block.hexes, block.fixed, 5, {}, [](double) { return false; }),
     hexsweep::Aborted);
+}
 }

@@ -12,7 +12,7 @@
 #include <limits>
 #include <random>
 
-namespace
+namespace TestHexQuality
 {
 using hexsweep::HexCorners;
 using hexsweep::hexQuality;
@@ -30,7 +30,6 @@ HexCorners turnedInsideOut(const HexCorners& corners)
   HexCorners turned;
   turned << corners.bottomRows<4>(), corners.topRows<4>();
   return turned;
-}
 }
 
 TEST(HexQuality, CornerJacobiansOfAnAffineCubeAreItsDeterminant)
@@ -178,8 +177,6 @@ TEST(HexQuality, SummaryCountsEveryKind)
   EXPECT_TRUE(std::isnan(hexsweep::summarize({}).minJacobianLowerBound));
 }
 
-namespace
-{
 // An odd number of hexahedra of every kind: good and bad ones, with edges without length, lost,
 // and of sizes whose products leave the range of double.
 hexsweep::Points mixedHexes(int count)
@@ -213,7 +210,6 @@ hexsweep::Points mixedHexes(int count)
 bool isSame(double a, double b)
 {
   return a == b || (std::isnan(a) && std::isnan(b));
-}
 }
 
 TEST(HexQualities, BatchesSayWhatSingleHexesDo)
@@ -301,4 +297,5 @@ TEST(HexQualities, VerdictsAreThoseOfTheCertificate)
       ASSERT_FALSE(verdict.jacobianLowerBound > jacobians.minCoeff()) << h;
     }
   }
+}
 }

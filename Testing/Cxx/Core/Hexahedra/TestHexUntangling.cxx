@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
+namespace TestHexUntangling
 {
 using hexsweep::HexBoxes;
 using hexsweep::HexDescent;
@@ -29,7 +29,6 @@ std::vector<bool> opposite(std::vector<bool> flags)
 {
   flags.flip();
   return flags;
-}
 }
 
 TEST(HexDescent, FindsTheCubesAgain)
@@ -199,4 +198,5 @@ TEST(HexUntangling, CanBeAborted)
   EXPECT_THROW(hexsweep::untangleHexes(test::shaken(block, 0.9, 1), block.hexes, cubes(block),
                  block.fixed, {}, [](double) { return false; }),
     hexsweep::Aborted);
+}
 }

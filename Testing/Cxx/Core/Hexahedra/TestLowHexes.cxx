@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestLowHexes
 {
 using hexsweep::RaisedLowHexes;
 using hexsweep::raiseLowHexes;
@@ -30,7 +30,6 @@ Points shorn(const HexBlock& block, Index n, double amount)
     }
   }
   return points;
-}
 }
 
 TEST(LowHexes, NodesThatWereMovedTogetherMoveBackTogether)
@@ -101,4 +100,5 @@ TEST(LowHexes, CanBeAborted)
   EXPECT_THROW(raiseLowHexes(test::shaken(block, 0.5, 7), block.hexes, block.fixed, 0.6, {},
                  [](double) { return false; }),
     hexsweep::Aborted);
+}
 }

@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-namespace
+namespace TestBadCages
 {
 using hexsweep::InvalidInput;
 using hexsweep::SweepCage;
@@ -43,7 +43,6 @@ SweepCage plainCage()
 void fill(const SweepCage& cage)
 {
   hexsweep::sweepInterior(cage, hexsweep::interiorStarts(hexsweep::InteriorKind::Automatic), {});
-}
 }
 
 TEST(BadCalls, HexahedraOfPointsThatDoNotExist)
@@ -135,4 +134,5 @@ TEST(InteriorStarts, LentThreadsGiveTheSameBits)
     EXPECT_GT(calls, 0);
     EXPECT_TRUE((serial.array() == lent.array()).all());
   }
+}
 }

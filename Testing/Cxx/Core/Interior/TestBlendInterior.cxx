@@ -7,14 +7,13 @@
 #include "Core/Solvers/PrismSolver.h"
 #include "Support/InteriorTests.h"
 
-namespace
+namespace TestBlendInterior
 {
 using hexsweep::blendInterior;
 using hexsweep::fadingBlendInterior;
 using hexsweep::Index;
 using hexsweep::Points;
 using test::Sweep;
-}
 
 TEST(BlendInterior, AffineSweepsAreExact)
 {
@@ -140,8 +139,6 @@ TEST(BlendInterior, AbortsAndRefusesAVolumeWithoutHeight)
   EXPECT_THROW(test::run(blendInterior, flat), hexsweep::InvalidInput);
 }
 
-namespace
-{
 /// A bulge of the cap that is not there on its boundary.
 double bulge(double x, double y)
 {
@@ -161,7 +158,6 @@ std::vector<double> middleHeights(const Sweep& sweep, const Points& points)
     heights.push_back(points(k * n + middle, 2) - 6.0 * t);
   }
   return heights;
-}
 }
 
 TEST(BlendInterior, BulgesThatBothCapsShareGoThroughAndOthersFade)
@@ -209,4 +205,5 @@ TEST(BlendInterior, LoopsThatFlattenDoNotSpoilFadingBulges)
     hexsweep::summarize(hexsweep::hexQualities(swept, hexsweep::sweptHexes(sweep.quads, swept, 8)))
       .notCertified,
     0);
+}
 }

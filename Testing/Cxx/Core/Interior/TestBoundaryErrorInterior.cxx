@@ -4,13 +4,12 @@
 #include "Core/Common/Errors.h"
 #include "Support/InteriorTests.h"
 
-namespace
+namespace TestBoundaryErrorInterior
 {
 using hexsweep::boundaryErrorInterior;
 using hexsweep::Index;
 using hexsweep::Points;
 using test::Sweep;
-}
 
 TEST(BoundaryErrorInterior, AffineSweepsAreExact)
 {
@@ -92,4 +91,5 @@ TEST(BoundaryErrorInterior, Aborts)
   const Sweep sweep = test::makeSweep(6, 5, false, test::evenLayers(4), test::bendingMotion);
   EXPECT_THROW(
     boundaryErrorInterior(test::cageOf(sweep), [](double) { return false; }), hexsweep::Aborted);
+}
 }

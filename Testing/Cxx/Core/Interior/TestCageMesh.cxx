@@ -7,7 +7,7 @@
 #include <array>
 #include <set>
 
-namespace
+namespace TestCageMesh
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -110,7 +110,6 @@ struct OneHex
     return seen[4] == 2 && seen[6] == 2;
   }
 };
-}
 
 TEST(CageMesh, QuadsAreTheBoundaryOfTheHexes)
 {
@@ -325,4 +324,5 @@ TEST(TopologicalModel, LoopWithoutAreaTakesTheWayItsNodesArrive)
   const Eigen::RowVector3d expected =
     boundary.meanColumnLength / 4 * Eigen::RowVector3d(0.6, 0, 0.8);
   EXPECT_LT((step - expected).norm(), 1e-12);
+}
 }

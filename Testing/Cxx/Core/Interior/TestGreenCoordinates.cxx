@@ -6,7 +6,7 @@
 #include "Support/CageShapes.h"
 #include "Support/CageTests.h"
 
-namespace
+namespace TestGreenCoordinates
 {
 using hexsweep::GreenCoordinates;
 using hexsweep::GreenWeights;
@@ -148,7 +148,6 @@ Eigen::RowVector3d deformed(
   const GreenWeights weights = GreenCoordinates(rest.points, rest.triangles).at(x);
   return weights.vertices.transpose() * vertices +
     weights.faces.transpose() * hexsweep::stretchedNormals(rest.points, vertices, rest.triangles);
-}
 }
 
 TEST(GreenCoordinates, ReproduceTheUndeformedCage)
@@ -359,4 +358,5 @@ TEST(GreenInterior, IsTheSumOverCageAndNormals)
 TEST(GreenInterior, KeepsTheContract)
 {
   test::expectInteriorContract(hexsweep::greenInterior);
+}
 }

@@ -5,7 +5,7 @@
 #include "Core/Common/Errors.h"
 #include "Support/CageTests.h"
 
-namespace
+namespace TestHarmonicCoordinates
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -42,7 +42,6 @@ std::vector<Index> neighbours(const Points& grid, Index row, double step)
     }
   }
   return rows;
-}
 }
 
 TEST(HarmonicCoordinates, InterpolateAtCageVertices)
@@ -105,11 +104,8 @@ TEST(HarmonicCoordinates, OvershootLittleOnStretchedCells)
   }
 }
 
-namespace
-{
 /// Each of some hundred coordinates is solved for to PrismSolver's accuracy, and they add up.
 constexpr double Accuracy = 1e-10;
-}
 
 TEST(HarmonicCoordinates, SumToOneAndReproduceLinearFunctions)
 {
@@ -220,4 +216,5 @@ TEST(HarmonicInterior, Aborts)
   const Sweep sweep = bentSweep();
   EXPECT_THROW(hexsweep::harmonicInterior(test::cageOf(sweep), [](double) { return false; }),
     hexsweep::Aborted);
+}
 }

@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-namespace
+namespace TestLayerMarch
 {
 using hexsweep::blendInterior;
 using hexsweep::Index;
@@ -57,7 +57,6 @@ Sweep turningHole(
       const double y = radius * std::sin(at);
       return Eigen::RowVector3d(x, y, 2.0 * t + sag * (1.0 - 2.0 * t) * (x * x - y * y));
     });
-}
 }
 
 TEST(LayerMarch, AffineSweepsAreExact)
@@ -241,4 +240,5 @@ TEST(LayerMarch, NamesTheLayerThatCannotBeCarriedOn)
   {
     EXPECT_NE(std::string(failure.what()).find("layer 4"), std::string::npos) << failure.what();
   }
+}
 }

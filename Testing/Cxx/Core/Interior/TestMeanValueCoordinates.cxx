@@ -5,7 +5,7 @@
 #include "Support/CageShapes.h"
 #include "Support/CageTests.h"
 
-namespace
+namespace TestMeanValueCoordinates
 {
 using hexsweep::Index;
 using hexsweep::MeanValueCoordinates;
@@ -82,7 +82,6 @@ Eigen::VectorXd byQuadrature(const TriangleMesh& cage, const Eigen::RowVector3d&
     }
   }
   return weights / weights.sum();
-}
 }
 
 TEST(MeanValueCoordinates, AreBarycentricOnATetrahedron)
@@ -217,4 +216,5 @@ TEST(MeanValueInterior, IsTheSumOverTheCage)
 TEST(MeanValueInterior, KeepsTheContract)
 {
   test::expectInteriorContract(hexsweep::meanValueInterior);
+}
 }

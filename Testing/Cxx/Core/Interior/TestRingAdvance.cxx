@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace
+namespace TestRingAdvance
 {
 using hexsweep::Points;
 using hexsweep::SweepBoundary;

@@ -7,7 +7,7 @@
 #include "Support/HexBlocks.h"
 #include "Support/InteriorTests.h"
 
-namespace
+namespace TestRingCollapse
 {
 using test::Points;
 using test::Sweep;
@@ -24,7 +24,6 @@ void check(const Sweep& sweep)
 {
   hexsweep::checkRings(test::boundaryOf(sweep),
     hexsweep::checkSurface(sweep.quads, sweep.source.rows(), "source quads").loops);
-}
 }
 
 TEST(RingCollapse, StraightColumnsThatCrossAreNamed)
@@ -64,4 +63,5 @@ TEST(RingCollapse, TwistsThatHexahedraFollowArePassed)
   EXPECT_NO_THROW(check(sweep));
   const Points swept = test::run(hexsweep::blendInterior, sweep);
   EXPECT_EQ(test::judge(swept, hexsweep::sweptHexes(sweep.quads, swept, 4)).notCertified, 0);
+}
 }

@@ -15,7 +15,7 @@
 
 #include <cmath>
 
-namespace
+namespace TestRoundedBodies
 {
 using test::Index;
 using test::Points;
@@ -57,7 +57,6 @@ Eigen::RowVector3d placeIn(const Body& body, double x, double y, double t)
 class RoundedBodies : public testing::TestWithParam<Body>
 {
 };
-}
 
 TEST_P(RoundedBodies, AreNotWorseThanTheGridTheyWereMappedFrom)
 {
@@ -105,3 +104,4 @@ TEST_P(RoundedBodies, AreNotWorseThanTheGridTheyWereMappedFrom)
 INSTANTIATE_TEST_SUITE_P(Shapes, RoundedBodies,
   testing::Values(Body{ "Egg", 0.85, 1.5, 0.1, 0.0, 0.2 }, Body{ "Bean", 0.8, 2.0, 1.2, 0.0, 0.0 },
     Body{ "Limb", 0.9, 4.0, 0.8, 0.6, -0.2 }, Body{ "Trunk", 0.92, 3.0, 0.4, -0.9, 0.3 }));
+}

@@ -3,7 +3,7 @@
 
 #include "Support/CageTests.h"
 
-namespace
+namespace TestRuledInterior
 {
 using hexsweep::Index;
 using hexsweep::ruledInterior;

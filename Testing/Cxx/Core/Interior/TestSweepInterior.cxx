@@ -7,7 +7,7 @@
 #include "Support/HexBlocks.h"
 #include "Support/InteriorTests.h"
 
-namespace
+namespace TestSweepInterior
 {
 using hexsweep::InteriorOptions;
 using hexsweep::InteriorStart;
@@ -55,7 +55,6 @@ InteriorOptions unpolished()
   InteriorOptions options;
   options.polishingRounds = 0;
   return options;
-}
 }
 
 TEST(SweepInterior, AValidStartIsReturnedAsItIs)
@@ -261,4 +260,5 @@ TEST(SweepInterior, ProgressRisesAndAnAbortStopsTheWork)
       hexsweep::sweepInterior(cage, { spoilt() }, {}, [&](double done) { return done < stop; }),
       hexsweep::Aborted);
   }
+}
 }

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestSweptHexes
 {
 using hexsweep::Hexes;
 using hexsweep::Index;
@@ -17,7 +17,6 @@ using test::Sweep;
 Sweep someSweep()
 {
   return test::makeSweep(9, 6, true, test::evenLayers(4), test::affineMotion);
-}
 }
 
 TEST(SweptHexes, NumberingFollowsTheSourceQuads)
@@ -88,4 +87,5 @@ TEST(SameQuads, AnyStartAndDirectionIsTheSameQuad)
   EXPECT_THROW(hexsweep::checkSameQuads(sweep.quads, other), hexsweep::InvalidInput);
   EXPECT_THROW(
     hexsweep::checkSameQuads(sweep.quads, sweep.quads.topRows(3)), hexsweep::InvalidInput);
+}
 }

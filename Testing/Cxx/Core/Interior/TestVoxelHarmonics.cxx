@@ -8,7 +8,7 @@
 
 #include <sstream>
 
-namespace
+namespace TestVoxelHarmonics
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -162,7 +162,6 @@ Points prismValues(const CoarseCage& cage, const LeaningPrism& prism)
     hexsweep::quadLaplacian(prism.Cap, prism.CapQuads), n, 0.8 / static_cast<double>(n), loop)
     .extend(values);
 }
-}
 
 TEST(VoxelHarmonics, TendToBarycentricCoordinatesOfATetrahedron)
 {
@@ -251,4 +250,5 @@ TEST(VoxelHarmonics, DifferFromThePrismSolverLessWhenBothAreRefined)
     last = difference;
   }
   RecordProperty("RootMeanSquareDifference", table.str());
+}
 }

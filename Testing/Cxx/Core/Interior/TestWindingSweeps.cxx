@@ -11,7 +11,7 @@
 #include "Support/InteriorTests.h"
 #include "Support/WindingSweeps.h"
 
-namespace
+namespace TestWindingSweeps
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -66,7 +66,6 @@ WindingShape bent(Holes holes, double degrees)
 class WindingSweeps : public testing::TestWithParam<Reached>
 {
 };
-}
 
 TEST_P(WindingSweeps, EveryElementIsValidAndWindsAsTheSides)
 {
@@ -191,4 +190,5 @@ TEST(WindingSweeps, TheMapOfTwoLoopsTakesTheTurnOfTheSides)
       EXPECT_NEAR(turns[0], degrees * test::Pi / 180.0, 1e-6);
     }
   }
+}
 }

@@ -8,7 +8,7 @@
 
 #include <set>
 
-namespace
+namespace TestCapBoundary
 {
 using hexsweep::CapBoundaries;
 using hexsweep::CapBoundary;
@@ -98,7 +98,6 @@ std::vector<LoopPair> circlePairs(Index outer, Index inner)
   LoopPair pair{ hole, hole };
   pair.second.col(2).array() += 2.0;
   return { rim, pair };
-}
 }
 
 TEST(CapBoundary, LinkedLoopsFollowTheColumns)
@@ -335,4 +334,5 @@ TEST(CapBoundary, LinkingSidesOfAnotherVolume)
   corners << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
   EXPECT_THROW(hexsweep::linkLoops(sweep.source, loops, sweep.target, loops, corners, box, 1e-6),
     hexsweep::InvalidInput);
+}
 }

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace
+namespace TestColumnEnds
 {
 using hexsweep::ColumnAnchor;
 using hexsweep::ColumnEnds;
@@ -43,7 +43,6 @@ void expectInOrder(const std::vector<double>& ends)
     const double next = j + 1 < ends.size() ? ends[j + 1] : ends[0] + 1.0;
     EXPECT_GT(next, ends[j]) << "column " << j;
   }
-}
 }
 
 TEST(ColumnEnds, WithoutCornersColumnsTurnAlike)
@@ -104,4 +103,5 @@ TEST(ColumnEnds, MoreCornersThanColumnsAreNamed)
   const ColumnEnds found = columnEnds(evenly(4), { 0 }, {}, 0.0, { 0.0, 0.2, 0.4, 0.5, 0.6, 0.8 });
   EXPECT_EQ(found.lostCorners.size(), 2u);
   expectInOrder(found.ends);
+}
 }

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace
+namespace TestLayerSpacing
 {
 using hexsweep::Index;
 using hexsweep::InvalidInput;

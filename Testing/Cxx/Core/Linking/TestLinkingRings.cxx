@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace
+namespace TestLinkingRings
 {
 using hexsweep::Index;
 using hexsweep::RingStack;
@@ -78,7 +78,6 @@ void removeLinkingQuad(Sweep& sweep, Index quad)
   const Index rest = sweep.linkingQuads.rows() - quad - 1;
   sweep.linkingQuads.middleRows(quad, rest) = sweep.linkingQuads.bottomRows(rest).eval();
   sweep.linkingQuads.conservativeResize(sweep.linkingQuads.rows() - 1, 4);
-}
 }
 
 TEST(LinkingRings, FollowTheColumnsOfEveryLoop)
@@ -255,4 +254,5 @@ TEST(LinkingRings, TargetLoopsMustLieOnTheLastRing)
       << text;
     EXPECT_NE(text.find("0.25 away"), std::string::npos) << text;
   }
+}
 }

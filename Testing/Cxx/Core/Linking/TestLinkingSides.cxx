@@ -15,7 +15,7 @@
 #include <functional>
 #include <limits>
 
-namespace
+namespace TestLinkingSides
 {
 using hexsweep::Index;
 using hexsweep::InvalidInput;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-namespace
+namespace TestLinkingSurface
 {
 using hexsweep::Index;
 using hexsweep::joinLinkingSurface;
@@ -90,7 +90,6 @@ Loop upTo(Index n)
   }
   return loop;
 }
-}
 
 TEST(LinkingSurface, PiecesAreJoinedToATube)
 {
@@ -169,4 +168,5 @@ TEST(LinkingSurface, TheLastRingsOnTheTarget)
   target.triangles = Triangles(target.triangles.topRows(1));
   target.triangles(0, 2) = target.triangles(0, 1);
   EXPECT_THROW(text(nodes), hexsweep::InvalidInput);
+}
 }

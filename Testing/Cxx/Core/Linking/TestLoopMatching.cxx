@@ -10,7 +10,7 @@
 #include <numeric>
 #include <random>
 
-namespace
+namespace TestLoopMatching
 {
 using hexsweep::Index;
 using hexsweep::Loop;
@@ -69,7 +69,6 @@ void expectRecovered(const MatchedLoops& matched, const Points& source, const Po
       EXPECT_LT((matched.pairs[l].second.row(row) - target.row(loops[l][j])).norm(), 1e-12 * size);
     }
   }
-}
 }
 
 TEST(LoopMatching, RecoversMotionsWithoutTwist)
@@ -200,8 +199,6 @@ TEST(LoopMatching, DifferentNumbersOfLoops)
     "the source has 2 boundary loop(s), the target surface 4");
 }
 
-namespace
-{
 /// A closed polygon through the corners, each of its sides cut into equal edges.
 Points outline(const std::vector<std::array<double, 2>>& corners, Index edgesPerSide)
 {
@@ -296,7 +293,6 @@ struct Plan
     this->loops.push_back(ids);
   }
 };
-}
 
 TEST(LoopMatching, CornersOfASquareGoToThoseOfARectangle)
 {
@@ -570,4 +566,5 @@ TEST(Assignment, LeastOfAllPermutations)
       EXPECT_EQ(found, order);
     }
   }
+}
 }

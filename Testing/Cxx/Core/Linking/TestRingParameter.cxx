@@ -4,7 +4,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestRingParameter
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -70,7 +70,6 @@ void expectCyclicallyRising(const Places& places, Index ringSize)
 double cyclicDistance(double a, double b, Index ringSize)
 {
   return std::abs(std::remainder(a - b, static_cast<double>(ringSize)));
-}
 }
 
 TEST(RingParameter, NodesOfTheRingGetTheirNumberExactly)
@@ -254,4 +253,5 @@ TEST(RingParameter, LengthsOfASquare)
   {
     EXPECT_NEAR(lengths[i], expected[i], 1e-15);
   }
+}
 }

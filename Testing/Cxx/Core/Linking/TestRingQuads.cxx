@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace
+namespace TestRingQuads
 {
 constexpr double Pi = 3.141592653589793;
 
@@ -21,7 +21,6 @@ hexsweep::Points ring(double height, double leap)
     points.row(j) << std::cos(angle), std::sin(angle), height + (j % 2 == 0 ? leap : 0.0);
   }
   return points;
-}
 }
 
 TEST(RingQuads, UprightQuadsAreSquare)
@@ -44,4 +43,5 @@ TEST(RingQuads, CrossedQuadsAndQuadsWithoutLengthAreNegative)
 {
   EXPECT_LT(hexsweep::leastCornerSine(ring(0.0, 0.3), ring(0.1, 0.0)), 0.0);
   EXPECT_EQ(hexsweep::leastCornerSine(ring(0.0, 0.0), ring(0.0, 0.0)), -1.0);
+}
 }

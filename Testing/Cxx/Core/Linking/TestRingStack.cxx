@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestRingStack
 {
 using hexsweep::Index;
 using hexsweep::LinkedLoops;
@@ -89,7 +89,6 @@ RingStack trace(const Sweep& sweep)
   return hexsweep::traceLinkingRings(
     sweep.source, loopsOf(sweep), sweep.linkingPoints, sweep.linkingQuads);
 }
-}
 
 TEST(RingStack, NumberedSidesNeedNoTracing)
 {
@@ -164,4 +163,5 @@ TEST(RingStack, TurnedQuadsTurnTheRings)
     EXPECT_NE(plain.turned[l], turned.turned[l]);
   }
   expectLookUpIsSearch(sweep, turned);
+}
 }

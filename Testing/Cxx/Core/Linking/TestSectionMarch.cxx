@@ -6,7 +6,7 @@
 #include "Core/Linking/SectionDescent.h"
 #include "Support/WindingSweeps.h"
 
-namespace
+namespace TestSectionMarch
 {
 using hexsweep::CarriedQuads;
 using hexsweep::Index;
@@ -58,7 +58,6 @@ Index invertedCorners(const test::Quads& quads, const PlanePoints& at)
     }
   }
   return count;
-}
 }
 
 TEST(SectionDescent, RelaxesToTheWantedShapes)
@@ -195,4 +194,5 @@ TEST(SectionMarch, CanBeAborted)
   EXPECT_THROW(
     hexsweep::carryQuads(sweep.source, sweep.quads, sections, [&](double) { return ++calls < 5; }),
     hexsweep::Aborted);
+}
 }

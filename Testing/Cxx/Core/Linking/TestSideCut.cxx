@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace
+namespace TestSideCut
 {
 using hexsweep::CutTube;
 using hexsweep::Index;
@@ -54,7 +54,6 @@ void expectSame(const TriangleMesh& tube, const CutTube& cut)
       EXPECT_EQ(cut.mesh.points.row(copy), tube.points.row(tube.triangles(t, c)));
     }
   }
-}
 }
 
 TEST(SideCut, OneCutLeavesADisk)
@@ -105,4 +104,5 @@ TEST(SideCut, ThreeCutsLeaveThreeDisks)
     EXPECT_TRUE(!cut.onLeft[i] || cut.original[i] % Around == 2);
   }
   EXPECT_EQ(left, Along + 1);
+}
 }

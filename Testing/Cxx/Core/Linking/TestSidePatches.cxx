@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace
+namespace TestSidePatches
 {
 using hexsweep::Index;
 using hexsweep::MeshedColumns;
@@ -123,7 +123,6 @@ void expectRefused(const QuadMesh& given, const std::vector<std::string>& parts)
     EXPECT_NE(result.refused[0].find(part), std::string::npos) << result.refused[0];
   }
 }
-}
 
 TEST(SidePatches, ComeBackNodeForNode)
 {
@@ -183,4 +182,5 @@ TEST(SidePatches, WithAHoleAreRefused)
   torn.quads.row(inner) = Eigen::Matrix<Index, 1, 4>(torn.quads.row(torn.quads.rows() - 1));
   torn.quads.conservativeResize(torn.quads.rows() - 1, 4);
   expectRefused(torn, { "are not structured" });
+}
 }

@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace
+namespace TestSideStrip
 {
 using hexsweep::Index;
 using hexsweep::Points;

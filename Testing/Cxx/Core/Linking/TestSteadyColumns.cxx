@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestSteadyColumns
 {
 using hexsweep::Index;
 using hexsweep::PlanePoints;

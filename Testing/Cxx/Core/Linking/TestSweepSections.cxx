@@ -4,7 +4,7 @@
 #include "Core/Linking/QuadWinding.h"
 #include "Support/WindingSweeps.h"
 
-namespace
+namespace TestSweepSections
 {
 using hexsweep::Index;
 using hexsweep::PlanePoints;
@@ -37,7 +37,6 @@ SweepSections sectionsOf(const test::Sweep& sweep)
 test::Sweep swept(const WindingSweep& winding, const test::Motion& motion, int layers)
 {
   return test::sweepCap(winding.sweep.cap, winding.sweep.quads, test::evenLayers(layers), motion);
-}
 }
 
 TEST(SweepSections, WindingIsWhatTheHolesWereTurnedBy)
@@ -137,4 +136,5 @@ TEST(QuadWinding, TellsTrueQuadsFromThoseThatTookTheShortWay)
     EXPECT_GE(missed(-150.0 * Pi / 180.0), holes == Holes::One ? 1 : 2);
     EXPECT_GE(missed(570.0 * Pi / 180.0), holes == Holes::One ? 1 : 2);
   }
+}
 }

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestAffineSweep
 {
 using namespace test;
 using hexsweep::AffineSweep;

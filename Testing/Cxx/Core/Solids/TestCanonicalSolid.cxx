@@ -12,7 +12,7 @@
 #include <numeric>
 #include <random>
 
-namespace
+namespace TestCanonicalSolid
 {
 using hexsweep::CanonicalSolid;
 using hexsweep::canonicalSolid;

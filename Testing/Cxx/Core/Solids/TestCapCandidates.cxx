@@ -8,7 +8,7 @@
 #include "Support/SolidShapes.h"
 #include "Support/SweptShapes.h"
 
-namespace
+namespace TestCapCandidates
 {
 using hexsweep::CapCandidate;
 using hexsweep::FaceGraph;
@@ -67,7 +67,6 @@ void expectSameCaps(const test::SolidInput& input)
   EXPECT_GT(caps, 10);
   EXPECT_GT(others, 10);
 }
-}
 
 TEST(CapCandidates, AreThoseOfTheTriangles)
 {
@@ -103,4 +102,5 @@ TEST(CapCandidates, Measures)
   EXPECT_NEAR(bottom.upright, std::cos(lean), 1e-12);
   EXPECT_FALSE(hexsweep::makeCapCandidate(graph, { 0, 1 }).has_value());
   EXPECT_EQ(hexsweep::stepsFrom(graph, { 0 }), (std::vector<Index>{ 0, 2, 1 }));
+}
 }

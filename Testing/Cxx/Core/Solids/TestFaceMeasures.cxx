@@ -4,7 +4,7 @@
 
 #include "Support/SolidShapes.h"
 
-namespace
+namespace TestFaceMeasures
 {
 using hexsweep::FaceMeasure;
 using hexsweep::Index;

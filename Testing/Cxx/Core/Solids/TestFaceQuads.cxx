@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-namespace
+namespace TestFaceQuads
 {
 using hexsweep::FaceQuads;
 using hexsweep::Index;
@@ -65,7 +65,6 @@ SolidInput shuffled(SolidInput solid, unsigned seed)
     }
   }
   return solid;
-}
 }
 
 TEST(FaceQuads, TheTopOfABox)
@@ -136,4 +135,5 @@ TEST(FaceQuads, PatchesOfTheSides)
   const auto none = hexsweep::sidePatches(bare, makeSolidSurface(bare), topology);
   ASSERT_EQ(none.size(), 1u);
   EXPECT_TRUE(none[0].empty());
+}
 }

@@ -4,7 +4,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestFoundTarget
 {
 /// Up a cylinder of radius 10 to height 1, in over the rim, and down inside by `depth`.
 hexsweep::SweepBoundary cup(double depth)
@@ -28,7 +28,6 @@ hexsweep::SweepBoundary cup(double depth)
   }
   return boundary;
 }
-}
 
 TEST(FoundTarget, UpToAQuarterBack)
 {
@@ -37,4 +36,5 @@ TEST(FoundTarget, UpToAQuarterBack)
   test::expectInvalid(
     [] { hexsweep::checkFoundTarget(cup(0.3), { 7 }); }, "face 7 fits the source cap best");
   test::expectInvalid([] { hexsweep::checkFoundTarget(cup(0.9), { 7 }); }, "Name the target faces");
+}
 }

@@ -12,10 +12,10 @@
 #include <cmath>
 #include <memory>
 
+namespace TestGeometrySnap
+{
 using namespace hexsweep;
 
-namespace
-{
 using Place = Eigen::RowVector3d;
 
 constexpr double Height = 4.0;
@@ -131,7 +131,6 @@ Snapped snapped(const SolidInput& input, const ModelGeometry& geometry)
   result.snap = snapToGeometry(solid, topology, geometry, result.cage);
   return result;
 }
-}
 
 //------------------------------------------------------------------------------
 TEST(GeometrySnap, NodesOfAPrismComeToTheCylinder)
@@ -189,4 +188,5 @@ TEST(GeometrySnap, ReflectionsAnswerInTheMirror)
   EXPECT_EQ(*reflected->closestOnFace(3, place), Place(direct.cwiseProduct(mirror.signs)));
   EXPECT_EQ((*reflected->closestOnEdge(2, place))[2], -Height);
   EXPECT_EQ(reflected->edgesBetween(1, 3), std::vector<Index>{ 1 });
+}
 }

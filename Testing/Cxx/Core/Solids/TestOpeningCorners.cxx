@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace
+namespace TestOpeningCorners
 {
 using hexsweep::CapQuadOptions;
 using hexsweep::CornerFan;
@@ -114,7 +114,6 @@ std::vector<CornerFan> fansOf(const QuadMesh& quads, const SideTube& side)
     hexsweep::checkSurface(quads.quads, quads.points.rows(), "quads").loops;
   return openingCorners(quads, loops, { side }, 8);
 }
-}
 
 TEST(OpeningCorners, CornersOfAPolygonOnTheWayToACircleWantTwoQuads)
 {
@@ -149,4 +148,5 @@ TEST(OpeningCorners, PrismsAndCirclesAreLeftAlone)
   }
   // Two quads share the right angle at the square's corners.
   EXPECT_TRUE(fansOf(quadsOn(0, false), frustum(0, 4)).empty());
+}
 }

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestPrisms
 {
 using namespace test;
 using hexsweep::SolidCage;

@@ -8,7 +8,7 @@
 
 #include <numeric>
 
-namespace
+namespace TestSolidBodies
 {
 using hexsweep::Index;
 using hexsweep::solidBodies;

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-namespace
+namespace TestSolidSurface
 {
 using hexsweep::Index;
 using hexsweep::makeSolidSurface;
@@ -47,7 +47,6 @@ void expectBad(const SolidInput& input, const std::string& part, const SolidOpti
 bool inRing(int x, int y, int)
 {
   return x != 1 || y != 1;
-}
 }
 
 TEST(SolidSurface, ABoxStaysAsItIs)
@@ -479,4 +478,5 @@ TEST(SolidSurface, OneFaceOnly)
   options.featureAngle = 1.5;
   options.matchTolerance = 0.5;
   expectBad(input, "match tolerance is 0.5", options);
+}
 }

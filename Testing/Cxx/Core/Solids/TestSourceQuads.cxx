@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace
+namespace TestSourceQuads
 {
 using hexsweep::findSweepTopology;
 using hexsweep::Index;
@@ -61,7 +61,6 @@ double turnOf(const SolidInput& input)
 {
   const SolidSurface solid = makeSolidSurface(input);
   return hexsweep::greatestFacetTurn(solid, findSweepTopology(solid, { 5 }, {}));
-}
 }
 
 TEST(SourceQuads, BordersOfTheSidesBeginAtTheCorners)
@@ -150,4 +149,5 @@ TEST(SourceQuads, TurnsOfFacets)
   EXPECT_EQ(turnOf(prism(40)), 0.0);    // 9 degrees: smooth
   EXPECT_EQ(turnOf(box(3, 2, 4)), 0.0); // corners between faces are meant to be there
   EXPECT_NEAR(turnOf(box(3, 2, 4, oneSide)), 90.0, 1e-9);
+}
 }

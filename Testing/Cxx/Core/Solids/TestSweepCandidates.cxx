@@ -13,7 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace
+namespace TestSweepCandidates
 {
 using hexsweep::findSweepCandidates;
 using hexsweep::Index;
@@ -69,7 +69,6 @@ Ids sortedIds(Ids ids)
 {
   std::sort(ids.begin(), ids.end());
   return ids;
-}
 }
 
 TEST(SweepCandidates, Profiles)
@@ -347,4 +346,5 @@ TEST(SweepCandidates, AThousandFacesTakeLessThanASecond)
   const Caps best = bestCaps(tiles);
   EXPECT_EQ(best.first.size(), 169u);
   EXPECT_EQ(best.second.size(), 169u);
+}
 }

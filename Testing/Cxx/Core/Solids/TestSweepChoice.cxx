@@ -6,7 +6,7 @@
 #include "Support/SolidShapes.h"
 #include "Support/SweptShapes.h"
 
-namespace
+namespace TestSweepChoice
 {
 using hexsweep::chooseSweeps;
 using hexsweep::Index;
@@ -17,7 +17,6 @@ using hexsweep::SweepChoice;
 using test::box;
 using test::expectInvalid;
 using Ids = std::vector<Index>;
-}
 
 TEST(SweepChoice, NamedCapsAreTaken)
 {
@@ -122,4 +121,5 @@ TEST(SweepSize, Coarsening)
   EXPECT_NEAR(hexsweep::coarseningFor(200.0, 1000, 0.1), 2.0, 1e-12);
   // What is twice as coarse stays within it: a quarter of the quads, half the layers.
   EXPECT_EQ(hexsweep::coarseningFor(200.0, 250, 0.2), 1.0);
+}
 }

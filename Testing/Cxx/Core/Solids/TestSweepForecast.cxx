@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace
+namespace TestSweepForecast
 {
 using hexsweep::findSweepTopology;
 using hexsweep::forecastSweep;
@@ -85,7 +85,6 @@ std::vector<std::string> forecast(const SolidInput& input, Index target)
   }
   return texts;
 }
-}
 
 TEST(SweepForecast, NothingIsSaidOfGoodSweeps)
 {
@@ -118,4 +117,5 @@ TEST(SweepForecast, CapsThatGoOnSmoothlyIntoTheirSidesAreNamed)
     forecast(turned({ { 0.6, 0.0, 9 }, { 1.0, 0.05, 2 }, { 1.2, 0.4, 3 }, { 1.2, 3.0, 4 } }), 4);
   ASSERT_EQ(texts.size(), 1u);
   EXPECT_NE(texts[0].find("(1 into 9)"), std::string::npos) << texts[0];
+}
 }

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace
+namespace TestSweepTopology
 {
 using hexsweep::findSweepTopology;
 using hexsweep::Index;
@@ -114,7 +114,6 @@ test::SideLabel topLabel(int top, const std::function<bool(int, int)>& first)
     const bool up = direction == 6 && cell[2] == top - 1;
     return up ? (first(cell[0], cell[1]) ? 7 : 8) : test::planeLabel(cell, direction);
   };
-}
 }
 
 TEST(SweepTopology, ABoxWithTwoHoles)
@@ -445,4 +444,5 @@ TEST(SweepTopology, DoesNotDependOnTheFacesOfTheSides)
   const SweepTopology topology = findSweepTopology(solid, { 5 });
   EXPECT_EQ(topology.targetFaceIds, Ids{ 36 });
   expectConsistent(solid, topology);
+}
 }

@@ -15,7 +15,7 @@
 #include <map>
 #include <random>
 
-namespace
+namespace TestTargetImprint
 {
 using namespace test;
 using hexsweep::SolidInput;

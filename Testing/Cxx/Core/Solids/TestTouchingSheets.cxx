@@ -5,7 +5,7 @@
 #include "Core/Solids/SolidInput.h"
 #include "Support/SolidShapes.h"
 
-namespace
+namespace TestTouchingSheets
 {
 using hexsweep::makeSolidSurface;
 using hexsweep::SolidOptions;
@@ -17,7 +17,6 @@ using test::expectInvalid;
 bool inTouchingPosts(int x, int y, int z)
 {
   return z == 0 || (x == 0 && y == 0) || (x == 1 && y == 1);
-}
 }
 
 TEST(TouchingSheets, PostsThatTouchInALineArePartedAboveThePlate)
@@ -40,4 +39,5 @@ TEST(TouchingSheets, CubesThatTouchInAPointArePartedThere)
   SolidOptions options;
   options.partTouching = true;
   EXPECT_EQ(makeSolidSurface(input, options).points.rows(), makeSolidSurface(input).points.rows());
+}
 }

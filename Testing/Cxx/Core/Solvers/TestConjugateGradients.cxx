@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-namespace
+namespace TestConjugateGradients
 {
 using hexsweep::conjugateGradients;
 using hexsweep::Index;
@@ -75,7 +75,6 @@ double quadratic(const SparseMatrix& matrix, const Eigen::VectorXd& b, const Eig
 {
   return 0.5 * x.dot(matrix * x) - b.dot(x);
 }
-}
 
 TEST(ConjugateGradients, ReachTheSolution)
 {
@@ -117,4 +116,5 @@ TEST(ConjugateGradients, SameBitsInAnyOrder)
   const Eigen::VectorXd one = conjugateGradients(matrix, b, 30, 0.0);
   EXPECT_EQ(one, conjugateGradients(matrix, b, 30, 0.0, test::backwards));
   EXPECT_EQ(one, conjugateGradients(matrix, b, 30, 0.0, test::sideBySide));
+}
 }

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace
+namespace TestDirichletSolver
 {
 using hexsweep::DirichletSolver;
 using hexsweep::Index;
@@ -62,7 +62,6 @@ double logarithmError(Index rings, Weights weights)
   const DirichletSolver solver(
     hexsweep::surfaceLaplacian(mesh.points, mesh.triangles, weights), fixed);
   return (solver.solve(given) - exact).cwiseAbs().maxCoeff();
-}
 }
 
 TEST(DirichletSolver, FactorisesAMeshAgainThatHasMoved)
@@ -196,4 +195,5 @@ TEST(DirichletSolver, NoFiniteSolutionIsAnError)
   const Eigen::MatrixXd values =
     Eigen::MatrixXd::Constant(mesh.points.rows(), 1, std::numeric_limits<double>::quiet_NaN());
   EXPECT_THROW(DirichletSolver(laplacian, fixed).solve(values), hexsweep::SolverFailure);
+}
 }

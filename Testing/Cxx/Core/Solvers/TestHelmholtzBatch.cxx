@@ -13,7 +13,7 @@
 
 #include <random>
 
-namespace
+namespace TestHelmholtzBatch
 {
 using hexsweep::BatchWidth;
 using hexsweep::HelmholtzBatchSolver;
@@ -128,7 +128,6 @@ void expectSolution(const Problem& problem, const HelmholtzProblems& problems,
         << problems.lambda[at(lane)] << ' ' << lane << ' ' << c;
     }
   }
-}
 }
 
 TEST(HelmholtzBatch, EqualsADirectSolveOnEveryInstructionSet)
@@ -287,4 +286,5 @@ TEST(PrismKernels, ProductsEqualEigensOnEveryInstructionSet)
       }
     }
   }
+}
 }

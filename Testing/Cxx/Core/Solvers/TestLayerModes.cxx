@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace
+namespace TestLayerModes
 {
 using hexsweep::Index;
 using hexsweep::LayerModes;
@@ -78,7 +78,6 @@ void expectModes(const Eigen::VectorXd& heights, double size)
   const Eigen::VectorXd first = functions.transpose() * (allMass * (one - t)).segment(1, inner);
   EXPECT_LT((modes.firstLoad / std::sqrt(size) - first).cwiseAbs().maxCoeff(), tolerance);
 }
-}
 
 TEST(LayerModes, SolveTheEigenproblemOfTheLayers)
 {
@@ -119,4 +118,5 @@ TEST(LayerModes, RefusesLayersWithoutHeight)
   EXPECT_THROW(hexsweep::layerModes(Eigen::VectorXd()), hexsweep::InvalidInput);
   EXPECT_THROW(hexsweep::layerModes(Eigen::Vector3d(1, -1, 1)), hexsweep::InvalidInput);
   EXPECT_THROW(hexsweep::layerModes(Eigen::Vector2d(1, std::nan(""))), hexsweep::InvalidInput);
+}
 }

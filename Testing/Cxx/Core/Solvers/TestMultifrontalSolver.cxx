@@ -13,7 +13,7 @@
 #include <limits>
 #include <numeric>
 
-namespace
+namespace TestMultifrontalSolver
 {
 using hexsweep::Index;
 using hexsweep::MultifrontalSolver;
@@ -153,7 +153,6 @@ Eigen::MatrixXd solved(Kind kind, const SparseMatrix& matrix, const Eigen::Matri
 double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   return (a - b).norm() / b.norm();
-}
 }
 
 TEST(MultifrontalSolver, CholeskyEqualsADenseSolve)
@@ -420,4 +419,5 @@ TEST(MultifrontalSolver, AFailedFactorIsReplacedByTheNext)
   solver.factorize(matrix);
   const Eigen::MatrixXd right = randomMatrix(100, 1, 2);
   EXPECT_LT(difference(matrix * solver.solve(right), right), 1e-13);
+}
 }

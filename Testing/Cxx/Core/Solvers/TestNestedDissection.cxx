@@ -9,7 +9,7 @@
 
 #include <numeric>
 
-namespace
+namespace TestNestedDissection
 {
 using hexsweep::Dissection;
 using hexsweep::Index;
@@ -154,7 +154,6 @@ Index fill(const SparseMatrix& matrix, const std::vector<int>& order)
   EXPECT_EQ(cholesky.info(), Eigen::Success);
   return SparseMatrix(cholesky.matrixL()).nonZeros();
 }
-}
 
 TEST(NestedDissection, BranchesHaveNoEntryInCommon)
 {
@@ -246,4 +245,5 @@ TEST(NestedDissection, FillGrowsAsNLogN)
     const Eigen::SimplicialLLT<SparseMatrix> amd(matrix);
     EXPECT_LT(ours, 1.5 * static_cast<double>(SparseMatrix(amd.matrixL()).nonZeros())) << size;
   }
+}
 }

@@ -15,7 +15,7 @@
 #include <random>
 #include <thread>
 
-namespace
+namespace TestPrismSolver
 {
 using hexsweep::Index;
 using hexsweep::ParallelFor;
@@ -178,7 +178,6 @@ void twoThreads(Index count, const std::function<void(Index)>& call)
   work();
   other.join();
 }
-}
 
 TEST(PrismSolver, EqualsTheAssembledTrilinearSolve)
 {
@@ -233,8 +232,6 @@ TEST(PrismSolver, EqualsTheAssembledSolveOnNeedles)
   }
 }
 
-namespace
-{
 /// Greatest residual at a free node of the difference equation that the assembled system is, in
 /// units of the values.
 double residualOf(const hexsweep::QuadLaplacian& laplacian, double h,
@@ -262,7 +259,6 @@ double residualOf(const hexsweep::QuadLaplacian& laplacian, double h,
     }
   }
   return greatest;
-}
 }
 
 TEST(PrismSolver, ManyLayersOfFewQuads)
@@ -482,4 +478,5 @@ TEST(PrismSolver, BadArgumentsAndAborts)
   broken.source(broken.quads(7, 0), 0) = std::nan("");
   const PrismSolver hopeless(hexsweep::quadLaplacian(broken.source, broken.quads), 3, 1.0, fixed);
   EXPECT_THROW(hopeless.extend(randomValues(4 * sweep.source.rows())), hexsweep::SolverFailure);
+}
 }

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestQuadLaplacian
 {
 using hexsweep::Points;
 using hexsweep::QuadLaplacian;
@@ -29,7 +29,6 @@ Points bulged(const Sweep& sweep)
     points(i, 2) += 0.4 * std::sin(3 * points(i, 0)) * points(i, 1);
   }
   return points;
-}
 }
 
 TEST(QuadLaplacian, EnergyOfALinearFunctionIsItsGradientSquaredTimesTheArea)
@@ -99,4 +98,5 @@ TEST(QuadLaplacian, CollapsedQuadsLeaveFiniteMatrices)
   const QuadLaplacian laplacian = hexsweep::quadLaplacian(sweep.source, sweep.quads);
   EXPECT_TRUE(Eigen::MatrixXd(laplacian.stiffness).allFinite());
   EXPECT_TRUE(Eigen::MatrixXd(laplacian.mass).allFinite());
+}
 }

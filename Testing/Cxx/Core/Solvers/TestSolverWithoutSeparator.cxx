@@ -5,6 +5,8 @@
 
 #include "Support/CapMeshes.h"
 
+namespace TestSolverWithoutSeparator
+{
 using namespace hexsweep;
 
 TEST(SolverWithoutSeparator, SolvesAFilledAnnulus)
@@ -30,4 +32,5 @@ TEST(SolverWithoutSeparator, SolvesAFilledAnnulus)
       }
     }
   }
+}
 }

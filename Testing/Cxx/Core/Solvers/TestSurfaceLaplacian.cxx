@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-namespace
+namespace TestSurfaceLaplacian
 {
 using hexsweep::Index;
 using hexsweep::Points;
@@ -60,7 +60,6 @@ Eigen::VectorXd areas(const TriangleMesh& mesh)
 double greatestRowSum(const SparseMatrix& matrix)
 {
   return (matrix * Eigen::VectorXd::Ones(matrix.cols())).cwiseAbs().maxCoeff();
-}
 }
 
 TEST(SurfaceLaplacian, CotangentLaplacianIsDivGrad)
@@ -259,4 +258,5 @@ TEST(SurfaceLaplacian, TrianglesWithoutAreaAreNamed)
     "corners (0, 0, 0), (1, 0, 0) and (2, 0, 0) has no area");
   test::expectInvalid([&] { hexsweep::meanValueLaplacian(line, one); },
     "corners (0, 0, 0), (1, 0, 0) and (2, 0, 0) has no area");
+}
 }

@@ -5,7 +5,7 @@
 #include "Core/Common/Constants.h"
 #include "Core/Common/Predicates.h"
 
-namespace
+namespace TestPlaneImprint
 {
 using hexsweep::ConstrainedTriangles;
 using hexsweep::imprintSegments;
@@ -98,7 +98,6 @@ bool isPlanar(const PlaneGraph& graph)
     }
   }
   return true;
-}
 }
 
 TEST(PlaneImprint, CrossingBoxesAreCut)
@@ -197,4 +196,5 @@ TEST(PlaneImprint, RandomCirclesAndBoxesGiveAPlanarGraph)
         0);
     }
   }
+}
 }

@@ -7,7 +7,7 @@
 #include "Core/Stacks/StackSweep.h"
 #include "Support/SolidShapes.h"
 
-namespace
+namespace TestRevolvedSpace
 {
 using hexsweep::findRevolvedStack;
 using hexsweep::Index;
@@ -74,7 +74,6 @@ double exactVolume()
     }
   }
   return volume;
-}
 }
 
 TEST(RevolvedSpace, GoesThereAndBack)
@@ -145,4 +144,5 @@ TEST(LeaningSides, ABossWithDraftHasTheVolumeOfItsFrustum)
   EXPECT_EQ(summary.notCertified, 0);
   EXPECT_GT(summary.minScaledJacobian, 0.5);
   EXPECT_NEAR(mesh.volume, volumeOf(solid), 1e-6 * volumeOf(solid));
+}
 }

@@ -6,7 +6,7 @@
 #include "Support/LentThreads.h"
 #include "Support/SolidShapes.h"
 
-namespace
+namespace TestStackSweep
 {
 using hexsweep::CapLikeFaces;
 using hexsweep::capLikeFaces;
@@ -119,7 +119,6 @@ StackMesh expectExact(const SolidSurface& solid, Index volume, double least)
 bool inRib(int x, int, int z)
 {
   return z == 0 || x == 2;
-}
 }
 
 TEST(StackSweep, ARibOnAPlate)
@@ -258,4 +257,5 @@ TEST(CapLikeFaces, TellsCapsFromSides)
         : direction == 5 ? StackFaceKind::Bottom
                          : StackFaceKind::Side);
   }
+}
 }

@@ -10,7 +10,7 @@
 #include <map>
 #include <random>
 
-namespace
+namespace TestBorderImprint
 {
 using namespace test;
 using hexsweep::BorderLines;

@@ -3,7 +3,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestBorderSearch
 {
 using hexsweep::BorderSearch;
 using hexsweep::ChainShape;

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestCap
 {
 using hexsweep::Cap;
 using hexsweep::makeCap;

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace
+namespace TestCrossedTriangle
 {
 using hexsweep::Index;
 using hexsweep::PieceIds;
@@ -63,7 +63,6 @@ Crossed crossed(const Strands& strands)
   }
   return result;
 }
-}
 
 TEST(CrossedTriangle, PiecesCoverItUprightAndHaveAllCrossingEdges)
 {
@@ -102,4 +101,5 @@ TEST(CrossedTriangle, PiecesCoverItUprightAndHaveAllCrossingEdges)
       EXPECT_TRUE(found.count(edge)) << edge.first << " to " << edge.second;
     }
   }
+}
 }

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace
+namespace TestEdgeHalving
 {
 using hexsweep::HalvedSurface;
 using hexsweep::halveLongEdges;

@@ -3,7 +3,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestFlatFlips
 {
 using test::Index;
 
@@ -18,7 +18,6 @@ double signedArea(const test::TriangleMesh& mesh)
     area += 0.5 * u.cross(v).z();
   }
   return area;
-}
 }
 
 TEST(FlatFlips, APlaneEndsUpDelaunayWithTheSameArea)
@@ -91,4 +90,5 @@ TEST(FlatFlips, AFoldStays)
   EXPECT_FALSE(bent.isCoplanar(0));
   bent.flipAll();
   EXPECT_EQ(bent.flips(), 0);
+}
 }

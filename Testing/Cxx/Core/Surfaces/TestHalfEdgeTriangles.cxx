@@ -3,7 +3,7 @@
 
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestHalfEdgeTriangles
 {
 using hexsweep::HalfEdgeTriangles;
 using test::Index;
@@ -34,7 +34,6 @@ Index euler(const HalfEdgeTriangles& mesh, Index points)
 {
   const Index edges = (mesh.numberOfHalfEdges() + boundaryEdges(mesh)) / 2;
   return points - edges + mesh.numberOfTriangles();
-}
 }
 
 TEST(HalfEdgeTriangles, TwinsRunTheOtherWay)
@@ -97,4 +96,5 @@ TEST(HalfEdgeTriangles, SplitsKeepTheTopology)
     ASSERT_EQ(euler(mesh, points), 1 - 3);
   }
   expectLikeNew(mesh);
+}
 }

@@ -9,7 +9,7 @@
 
 #include <set>
 
-namespace
+namespace TestIntrinsicDelaunay
 {
 using hexsweep::Index;
 using hexsweep::IntrinsicTriangulation;
@@ -53,7 +53,6 @@ double worstWeight(const IntrinsicTriangulation& intrinsic)
     }
   }
   return worst;
-}
 }
 
 TEST(IntrinsicDelaunay, NoInnerEdgeHasANegativeWeight)
@@ -230,4 +229,5 @@ TEST(IntrinsicDelaunay, GoodTrianglesStay)
               hexsweep::cotangentLaplacian(mesh.points, mesh.triangles))
               .norm() < 1e-12,
     true);
+}
 }

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-namespace
+namespace TestSplitSurface
 {
 using hexsweep::HalfEdgeTriangles;
 using hexsweep::SplitSurface;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace
+namespace TestSurfaceCrossings
 {
 using namespace test;
 using hexsweep::findCrossing;

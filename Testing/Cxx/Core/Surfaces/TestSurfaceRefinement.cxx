@@ -5,7 +5,7 @@
 #include "Core/Geometry/TriangleSearch.h"
 #include "Support/CapMeshes.h"
 
-namespace
+namespace TestSurfaceRefinement
 {
 using hexsweep::EdgeSubdivision;
 using hexsweep::Index;
@@ -106,7 +106,6 @@ void expectSameShape(const TriangleMesh& mesh, const RefinedSurface& refined)
     hexsweep::checkSurface(refined.mesh.triangles, refined.mesh.points.rows(), "mesh");
   EXPECT_EQ(after.eulerCharacteristic, before.eulerCharacteristic);
   EXPECT_EQ(after.loops.size(), before.loops.size());
-}
 }
 
 TEST(SurfaceRefinement, NothingToDoChangesNothing)
@@ -215,4 +214,5 @@ TEST(SurfaceRefinement, WrongInput)
   TriangleMesh fan = facet(4);
   fan.triangles = test::facesOf<hexsweep::Triangles>({ 0, 1, 2, 1, 0, 3, 0, 1, 3 });
   EXPECT_THROW(hexsweep::refineSurface(fan, {}, true), hexsweep::InvalidInput);
+}
 }

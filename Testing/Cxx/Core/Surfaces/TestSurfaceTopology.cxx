@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-namespace
+namespace TestSurfaceTopology
 {
 using hexsweep::checkCap;
 using hexsweep::checkSurface;
@@ -69,7 +69,6 @@ double signedArea(const hexsweep::Points& points, const Loop& loop)
     area += 0.5 * (p.x() * q.y() - p.y() * q.x());
   }
   return area;
-}
 }
 
 TEST(SurfaceTopology, PlatesWithHoles)
@@ -307,4 +306,5 @@ TEST(SurfaceTopology, AFaceThatIsThereTwiceIsNamedAsSuch)
   twice << mesh.quads, mesh.quads.row(0);
   test::expectInvalid(
     [&] { hexsweep::checkSurface(twice, mesh.points.rows(), "quads"); }, "duplicate faces");
+}
 }

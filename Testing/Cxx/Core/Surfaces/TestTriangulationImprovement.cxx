@@ -9,7 +9,7 @@
 #include "Support/CoarsePlates.h"
 #include "Support/StretchedCaps.h"
 
-namespace
+namespace TestTriangulationImprovement
 {
 using hexsweep::CapDisk;
 using hexsweep::HoleTreatment;
@@ -88,7 +88,6 @@ std::vector<TriangleMesh> coarsePlates(int number)
     }
   }
   return plates;
-}
 }
 
 TEST(TriangulationImprovement, GoodCapsAreNotTouched)
@@ -300,4 +299,5 @@ TEST(TriangulationImprovement, CoarsePlatesOfAllSizesAreRefinedAlike)
       EXPECT_EQ(scaled.mesh.triangles, plain.mesh.triangles);
     }
   }
+}
 }

@@ -20,7 +20,7 @@ hexsweep::SweepCage cageOf(const Sweep& sweep)
   return { sweep.source, sweep.target, sweep.quads, boundaryOf(sweep) };
 }
 
-Points run(Interior interior, const Sweep& sweep)
+Points run(InteriorFill interior, const Sweep& sweep)
 {
   return interior(cageOf(sweep), {}, {});
 }
@@ -30,7 +30,7 @@ double sizeOf(const Sweep& sweep)
   return (sweep.layers.colwise().maxCoeff() - sweep.layers.colwise().minCoeff()).norm();
 }
 
-void expectAffineSweepsExact(Interior interior)
+void expectAffineSweepsExact(InteriorFill interior)
 {
   for (const bool hole : { false, true })
   {
@@ -43,7 +43,7 @@ void expectAffineSweepsExact(Interior interior)
   }
 }
 
-void expectAnySizeAnywhere(Interior interior)
+void expectAnySizeAnywhere(InteriorFill interior)
 {
   const Sweep plain = makeSweep(12, 9, true, evenLayers(5), affineMotion);
   for (const double scale : { 1e-6, 1e6 })
@@ -56,7 +56,7 @@ void expectAnySizeAnywhere(Interior interior)
   }
 }
 
-void expectSimilaritySweepOfACurvedCapExact(Interior interior)
+void expectSimilaritySweepOfACurvedCapExact(InteriorFill interior)
 {
   const Motion motion = [](double x, double y, double t) {
     // Bulges inside, planar on the outer loop.
@@ -78,7 +78,7 @@ Eigen::RowVector3d bendingMotion(double x, double y, double t)
     t * Eigen::RowVector3d(0.08 * std::sin(3 * y), 0.1 * x * x * (1 - t), 0.06 * std::cos(2 * x));
 }
 
-void expectBoundaryBitForBit(Interior interior)
+void expectBoundaryBitForBit(InteriorFill interior)
 {
   const Sweep sweep = makeSweep(12, 9, true, evenLayers(6), bendingMotion);
   const Points swept = run(interior, sweep);
@@ -96,7 +96,7 @@ void expectBoundaryBitForBit(Interior interior)
   }
 }
 
-void expectNearlyPlanarLoopsTame(Interior interior)
+void expectNearlyPlanarLoopsTame(InteriorFill interior)
 {
   for (const double noise : { 1e-9, 1e-5, 1e-3 })
   {
@@ -120,7 +120,7 @@ Motion cubesMotion(int nx, int layers)
   };
 }
 
-void expectInteriorContract(Interior interior, double rounding)
+void expectInteriorContract(InteriorFill interior, double rounding)
 {
   Sweep sweep = makeSweep(12, 9, true, evenLayers(6), bendingMotion);
   const Index n = sweep.source.rows();

@@ -15,14 +15,14 @@
 
 namespace test
 {
-using Interior = Points (*)(
+using InteriorFill = Points (*)(
   const hexsweep::SweepCage&, const hexsweep::Progress&, const hexsweep::ParallelFor&);
 
 hexsweep::SweepBoundary boundaryOf(const Sweep& sweep);
 
 hexsweep::SweepCage cageOf(const Sweep& sweep);
 
-Points run(Interior interior, const Sweep& sweep);
+Points run(InteriorFill interior, const Sweep& sweep);
 
 /// Diagonal of the sweep's box.
 double sizeOf(const Sweep& sweep);
@@ -33,24 +33,24 @@ Motion cubesMotion(int nx, int layers);
 /// What every method keeps to: boundary bit for bit, points that no quad uses on straight lines,
 /// the same bits in any order of the work, progress that rises, aborts, no interior at all.
 /// @param rounding how far points that no quad uses may move the others.
-void expectInteriorContract(Interior interior, double rounding = 0.0);
+void expectInteriorContract(InteriorFill interior, double rounding = 0.0);
 
 /// For methods that follow rings which turn. A planar cap, turned, sheared and stretched along an
 /// arc, with even and graded layers.
-void expectAffineSweepsExact(Interior interior);
+void expectAffineSweepsExact(InteriorFill interior);
 
-void expectAnySizeAnywhere(Interior interior);
+void expectAnySizeAnywhere(InteriorFill interior);
 
 /// A curved cap that is turned and scaled as a whole.
-void expectSimilaritySweepOfACurvedCapExact(Interior interior);
+void expectSimilaritySweepOfACurvedCapExact(InteriorFill interior);
 
 /// Everything that bends: rings are no affine images of the loops.
 Eigen::RowVector3d bendingMotion(double x, double y, double t);
 
-void expectBoundaryBitForBit(Interior interior);
+void expectBoundaryBitForBit(InteriorFill interior);
 
 /// Noise in the plane of the loops must not be blown up by a bulging cap.
-void expectNearlyPlanarLoopsTame(Interior interior);
+void expectNearlyPlanarLoopsTame(InteriorFill interior);
 }
 
 #endif

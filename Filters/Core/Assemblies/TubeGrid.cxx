@@ -6,9 +6,11 @@
 #include "Core/Common/StandardIndex.h"
 #include "Core/Linking/LayerSpacing.h"
 #include "Core/Linking/LinkingSideColumns.h"
+#include "Core/Linking/RingAlignment.h"
 #include "Core/Surfaces/SurfacePart.h"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <utility>
 
@@ -142,12 +144,15 @@ void meshTube(const AssemblyComplex& complex, const AssemblyGeometry& geometry,
   Points rows = ruledRows(bottom.places, top.places, match, layers, project);
   if (rows.rows() == 0)
   {
-    LinkingSideColumns columns(tube, bottom.places);
-    if (columns.isFree())
+    std::deque<LinkingSideColumns> alone;
+    alone.emplace_back(tube, bottom.places);
+    if (alone.front().isFree())
     {
-      turnOnto(columns, top.places);
+      turnOnto(alone.front(), top.places);
     }
-    rows = columns.mesh(layerFractions(layers)).nodes;
+    levelRingsWhereBetter(alone);
+    shareRingsWhereBetter(alone);
+    rows = alone.front().mesh(layerFractions(layers)).nodes;
     match = nearestMatch(rows.bottomRows(n), top.places);
   }
   const Points ends = rows.bottomRows(n);

@@ -101,4 +101,12 @@ Index layersOfSize(double length, double size)
   }
   return static_cast<Index>(layers);
 }
+
+double evenlySampled(const std::vector<double>& values, double place)
+{
+  const double scaled = place * static_cast<double>(values.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(scaled), values.size() - 2);
+  const double along = scaled - static_cast<double>(below);
+  return values[below] + along * (values[below + 1] - values[below]);
+}
 }

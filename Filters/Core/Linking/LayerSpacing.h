@@ -41,6 +41,10 @@ std::vector<double> layerFractions(const std::vector<double>& positions);
  * @throw InvalidInput on a size that is not positive, or would make more than a million layers.
  */
 Index layersOfSize(double length, double size);
+
+/// @param values at evenly spaced places from 0 to 1, two or more. @param place in [0, 1].
+/// @return the value there, linearly between them.
+double evenlySampled(const std::vector<double>& values, double place);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "Core/Linking/LayerSpacing.h"
 #include "Core/Linking/RingParameter.h"
 #include "Core/Linking/RingQuads.h"
+#include "Core/Linking/SteadyColumns.h"
 #include "Core/Surfaces/SurfaceArea.h"
 
 #include <Eigen/Geometry>
@@ -45,61 +46,60 @@ double valueAt(const std::vector<double>& values, double place)
   const double next = edge + 1 < n ? values[edge + 1] : values[0] + 1.0;
   return fraction == 0.0 ? values[edge] : values[edge] + fraction * (next - values[edge]);
 }
-
-/// The point of a CAD edge after a height, and the fraction of the way to it from the one before.
-std::pair<std::size_t, double> placeOn(const StripColumn& edge, double u)
-{
-  const std::size_t after = static_cast<std::size_t>(
-    std::upper_bound(edge.u.begin(), edge.u.end() - 1, u) - edge.u.begin());
-  return { after, (u - edge.u[after - 1]) / (edge.u[after] - edge.u[after - 1]) };
-}
 }
 
 LinkingSideColumns::LinkingSideColumns(
   const SideTube& side, const PointsRef& ring, double matchTolerance)
+  : Side(side)
+  , Given(ring)
+  , MatchTolerance(matchTolerance)
 {
-  this->map(side, ring, matchTolerance, EdgeHeights::ByLength);
+  this->map(EdgeHeights::ByLength);
   // An edge round a ledge is longer than its neighbourhood: rings would leap where they meet it.
   if (this->keptEdges() > 0 && this->Meshed.layers == 0 &&
     this->isSteep(this->heightsByLength(layerFractions(LayersLookedAt), false)))
   {
-    this->LostEdges.clear();
-    this->LostCorners.clear();
-    this->map(side, ring, matchTolerance, EdgeHeights::OfNeighborhood);
+    this->map(EdgeHeights::OfNeighborhood);
   }
 }
 
-void LinkingSideColumns::map(
-  const SideTube& side, const PointsRef& ring, double matchTolerance, EdgeHeights heights)
+void LinkingSideColumns::map(EdgeHeights heights)
 {
-  this->Strip = mapSideToStrip(side, longestEdge(side, ring.rows()), heights);
-  this->Search.emplace(this->Strip);
-  this->placeRing(ring, matchTolerance);
-  this->Meshed = tracePatches(side.patches, this->Ring,
-    loopPoints(this->Strip.surface.points, this->Strip.target), matchTolerance);
+  this->Heights = heights;
+  this->LostEdges.clear();
+  this->LostCorners.clear();
+  this->Courses.aside.resize(0, 0);
+  this->Levels.clear();
+  this->Strip = std::make_shared<const SideStrip>(
+    mapSideToStrip(this->Side, longestEdge(this->Side, this->Given.rows()), heights));
+  this->Search = std::make_shared<const StripSearch>(*this->Strip);
+  this->placeRing();
+  this->Meshed = tracePatches(this->Side.get().patches, this->Ring,
+    loopPoints(this->Strip->surface.points, this->Strip->target), this->MatchTolerance);
   this->findEnds();
   this->measure();
 }
 
-void LinkingSideColumns::placeRing(const PointsRef& ring, double matchTolerance)
+void LinkingSideColumns::placeRing()
 {
+  const Points& ring = this->Given;
   const Index n = ring.rows();
-  this->Reversed = !runsAlong(ring, this->Strip.surface.points, this->Strip.source);
+  this->Reversed = !runsAlong(ring, this->Strip->surface.points, this->Strip->source);
   Points turned = ring;
   if (this->Reversed)
   {
     turned = ring.colwise().reverse();
   }
   const std::vector<double> places = ringParameters(
-    turned, loopPoints(this->Strip.surface.points, this->Strip.source), matchTolerance);
+    turned, loopPoints(this->Strip->surface.points, this->Strip->source), this->MatchTolerance);
   std::vector<double> v;
   for (const double place : places)
   {
-    v.push_back(wrappedV(valueAt(this->Strip.sourceV, place)));
+    v.push_back(wrappedV(valueAt(this->Strip->sourceV, place)));
   }
   this->Begin = static_cast<std::size_t>(std::min_element(v.begin(), v.end()) - v.begin());
   std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(this->Begin), v.end());
-  this->Source = std::move(v);
+  this->Courses.begin = std::move(v);
   this->Ring.resize(n, 3);
   for (Index j = 0; j < n; ++j)
   {
@@ -109,32 +109,32 @@ void LinkingSideColumns::placeRing(const PointsRef& ring, double matchTolerance)
 
 void LinkingSideColumns::findEnds()
 {
-  const std::size_t n = this->Source.size();
+  const std::size_t n = this->Courses.begin.size();
   this->Edge.assign(n, -1);
   std::vector<ColumnAnchor> anchors;
-  for (std::size_t c = 0; c < this->Strip.columns.size(); ++c)
+  for (std::size_t c = 0; c < this->Strip->columns.size(); ++c)
   {
-    const StripColumn& column = this->Strip.columns[c];
-    const auto found = std::find(this->Source.begin(), this->Source.end(), column.v);
-    if (found == this->Source.end())
+    const StripColumn& column = this->Strip->columns[c];
+    const auto found = std::find(this->Courses.begin.begin(), this->Courses.begin.end(), column.v);
+    if (found == this->Courses.begin.end())
     {
-      this->LostEdges.emplace_back(this->Strip.surface.points.row(column.points.front()));
+      this->LostEdges.emplace_back(this->Strip->surface.points.row(column.points.front()));
       continue;
     }
-    const std::size_t j = static_cast<std::size_t>(found - this->Source.begin());
+    const std::size_t j = static_cast<std::size_t>(found - this->Courses.begin.begin());
     this->Edge[j] = static_cast<Index>(c);
     anchors.push_back({ j, column.v });
   }
-  const ClosedPolygon loop(loopPoints(this->Strip.surface.points, this->Strip.target));
+  const ClosedPolygon loop(loopPoints(this->Strip->surface.points, this->Strip->target));
   const std::vector<Index> corners = loopCorners(loop);
   std::vector<double> cornerV;
   for (const Index corner : corners)
   {
-    cornerV.push_back(this->Strip.targetV[static_cast<std::size_t>(corner)]);
+    cornerV.push_back(this->Strip->targetV[static_cast<std::size_t>(corner)]);
   }
-  ColumnEnds found = columnEnds(
-    this->Source, loopCorners(ClosedPolygon(this->Ring)), std::move(anchors), this->Turn, cornerV);
-  this->Target = std::move(found.ends);
+  ColumnEnds found = columnEnds(this->Courses.begin, loopCorners(ClosedPolygon(this->Ring)),
+    std::move(anchors), this->Turn, cornerV);
+  this->Courses.end = std::move(found.ends);
   for (const std::size_t corner : found.lostCorners)
   {
     this->LostCorners.emplace_back(loop.nodes().row(corners[corner]));
@@ -143,7 +143,7 @@ void LinkingSideColumns::findEnds()
 
 StripPlace LinkingSideColumns::inside(std::size_t column, double u) const
 {
-  return this->Search->at((1.0 - u) * this->Source[column] + u * this->Target[column], u);
+  return this->Search->at(this->Courses.at(column, u), u);
 }
 
 Points LinkingSideColumns::nodesAt(const std::vector<Index>& columns, double u, double turn) const
@@ -152,8 +152,7 @@ Points LinkingSideColumns::nodesAt(const std::vector<Index>& columns, double u, 
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
     const auto j = static_cast<std::size_t>(columns[i]);
-    nodes.row(static_cast<Index>(i)) =
-      this->Search->at((1.0 - u) * this->Source[j] + u * this->Target[j] + turn, u).point;
+    nodes.row(static_cast<Index>(i)) = this->Search->at(this->Courses.at(j, u) + turn, u).point;
   }
   return nodes;
 }
@@ -165,34 +164,16 @@ void LinkingSideColumns::turnEnds(double turn)
     return;
   }
   this->Turn += turn;
+  this->Courses.aside.resize(0, 0);
   this->LostEdges.clear();
   this->LostCorners.clear();
   this->findEnds();
   this->measure();
 }
 
-Eigen::RowVector3d LinkingSideColumns::onTargetLoop(double v) const
-{
-  const std::vector<double>& values = this->Strip.targetV;
-  const std::size_t n = values.size();
-  double turned = v - std::floor(v - values.front());
-  turned -= turned >= values.front() + 1.0 ? 1.0 : 0.0;
-  const std::size_t after = static_cast<std::size_t>(
-    std::upper_bound(values.begin(), values.end(), turned) - values.begin());
-  const std::size_t edge = after == 0 ? 0 : after - 1;
-  const double next = edge + 1 < n ? values[edge + 1] : values[0] + 1.0;
-  const double fraction =
-    std::min(1.0, std::max(0.0, (turned - values[edge]) / (next - values[edge])));
-  const Eigen::RowVector3d a = this->Strip.surface.points.row(this->Strip.target[edge]);
-  const Eigen::RowVector3d b = this->Strip.surface.points.row(this->Strip.target[(edge + 1) % n]);
-  // Where the place is a point of the loop to rounding, it is that point.
-  constexpr double Rounding = 1e-9;
-  return fraction < Rounding ? a : fraction > 1.0 - Rounding ? b : a + fraction * (b - a);
-}
-
 void LinkingSideColumns::measure()
 {
-  const std::size_t n = this->Source.size();
+  const std::size_t n = this->Courses.begin.size();
   this->Reached.resize(static_cast<Index>(n), Samples + 1);
   for (std::size_t j = 0; j < n; ++j)
   {
@@ -200,9 +181,9 @@ void LinkingSideColumns::measure()
     this->Reached(row, 0) = 0.0;
     if (this->Edge[j] >= 0)
     {
-      const StripColumn& column = this->Strip.columns[static_cast<std::size_t>(this->Edge[j])];
+      const StripColumn& column = this->Strip->columns[static_cast<std::size_t>(this->Edge[j])];
       const std::vector<double> lengths =
-        reachedLengths(loopPoints(this->Strip.surface.points, column.points));
+        reachedLengths(loopPoints(this->Strip->surface.points, column.points));
       for (Index s = 1; s <= Samples; ++s)
       {
         const double u = static_cast<double>(s) / static_cast<double>(Samples);
@@ -216,11 +197,68 @@ void LinkingSideColumns::measure()
     {
       const double u = static_cast<double>(s) / static_cast<double>(Samples);
       const Eigen::RowVector3d here =
-        s == Samples ? this->onTargetLoop(this->Target[j]) : this->inside(j, u).point;
+        s == Samples ? pointOnTarget(*this->Strip, this->Courses.end[j]) : this->inside(j, u).point;
       this->Reached(row, s) = this->Reached(row, s - 1) + (here - last).norm();
       last = here;
     }
   }
+}
+
+void LinkingSideColumns::shareRings()
+{
+  if (this->Meshed.layers == 0)
+  {
+    this->Courses.aside = asideByLength(*this->Search, this->Courses, this->heldByEdges());
+    this->measure();
+  }
+}
+
+bool LinkingSideColumns::freeHeights()
+{
+  // Round a ledge there are to be as many nodes as its length asks for.
+  const SideStrip& strip = *this->Strip;
+  if (std::any_of(this->Edge.begin(), this->Edge.end(), [&](Index edge) {
+        return edge >= 0 &&
+          !isSmooth(strip.surface.points, strip.columns[static_cast<std::size_t>(edge)]);
+      }))
+  {
+    return false;
+  }
+  if (this->keptEdges() > 0 && this->Heights == EdgeHeights::ByLength && this->Meshed.layers == 0)
+  {
+    this->map(EdgeHeights::OfNeighborhood);
+  }
+  return this->Meshed.layers == 0;
+}
+
+std::vector<double> LinkingSideColumns::meanHeights(Index layers) const
+{
+  const Eigen::RowVectorXd mean =
+    this->heightsByLength(layerFractions(layers), false).colwise().mean();
+  return { mean.data(), mean.data() + mean.size() };
+}
+
+std::vector<Points> LinkingSideColumns::sections(
+  const std::vector<Index>& columns, Index layers) const
+{
+  const Eigen::MatrixXd u = this->heights(layerFractions(layers), false);
+  std::vector<Points> sections;
+  for (Index k = 0; k <= layers; ++k)
+  {
+    Points& section = sections.emplace_back(static_cast<Index>(columns.size()), 3);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+    {
+      section.row(static_cast<Index>(i)) =
+        this->nodeOn(static_cast<std::size_t>(columns[i]), u(columns[i], k));
+    }
+  }
+  return sections;
+}
+
+CornerSines LinkingSideColumns::cornerSines() const
+{
+  const std::vector<double> fractions = layerFractions(LayersLookedAt);
+  return this->cornerSines(this->heights(fractions, false));
 }
 
 double LinkingSideColumns::meanLength() const
@@ -234,72 +272,24 @@ Index LinkingSideColumns::keptEdges() const
     std::count_if(this->Edge.begin(), this->Edge.end(), [](Index edge) { return edge >= 0; }));
 }
 
+std::vector<bool> LinkingSideColumns::heldByEdges() const
+{
+  std::vector<bool> isHeld(this->Edge.size());
+  std::transform(
+    this->Edge.begin(), this->Edge.end(), isHeld.begin(), [](Index e) { return e >= 0; });
+  return isHeld;
+}
+
 double LinkingSideColumns::uAt(std::size_t column, double fraction) const
 {
   const auto reached = this->Reached.row(static_cast<Index>(column));
   const double length = fraction * reached[Samples];
-  Index low = 0;
-  Index high = Samples;
-  while (high - low > 1)
-  {
-    const Index middle = (low + high) / 2;
-    (reached[middle] <= length ? low : high) = middle;
-  }
+  const auto after = std::upper_bound(reached.begin() + 1, reached.end() - 1, length);
+  const Index high = static_cast<Index>(after - reached.begin());
+  const Index low = high - 1;
   const double step = reached[high] - reached[low];
   const double along = step > 0.0 ? (length - reached[low]) / step : 0.0;
   return (static_cast<double>(low) + std::min(1.0, along)) / static_cast<double>(Samples);
-}
-
-/// Those of a part that is meshed already, where the column bounds it; in between, linearly.
-std::vector<double> LinkingSideColumns::fractionsOf(
-  std::size_t column, const std::vector<double>& wanted) const
-{
-  if (this->Meshed.layers == 0)
-  {
-    return wanted;
-  }
-  const std::size_t n = this->Source.size();
-  const auto isHeld = [&](std::size_t j) {
-    return this->Edge[j] >= 0 || this->Meshed.columns[j].rows() > 0;
-  };
-  const auto held = [&](std::size_t j) {
-    const Points& nodes = this->Meshed.columns[j];
-    std::vector<double> fractions(1, 0.0);
-    for (Index k = 1; k < nodes.rows(); ++k)
-    {
-      fractions.push_back(fractions.back() + (nodes.row(k) - nodes.row(k - 1)).norm());
-    }
-    const double length = fractions.back();
-    for (double& fraction : fractions)
-    {
-      fraction /= length;
-    }
-    return nodes.rows() > 0 ? fractions : wanted;
-  };
-  std::size_t left = 0;
-  while (left < n && !isHeld((column + n - left) % n))
-  {
-    ++left;
-  }
-  if (left == n)
-  {
-    return wanted;
-  }
-  std::size_t right = 0;
-  while (!isHeld((column + right) % n))
-  {
-    ++right;
-  }
-  const std::vector<double> a = held((column + n - left) % n);
-  const std::vector<double> b = held((column + right) % n);
-  const double weight =
-    left == 0 ? 0.0 : static_cast<double>(left) / static_cast<double>(left + right);
-  std::vector<double> fractions;
-  for (std::size_t k = 0; k < a.size(); ++k)
-  {
-    fractions.push_back((1.0 - weight) * a[k] + weight * b[k]);
-  }
-  return fractions;
 }
 
 Eigen::MatrixXd LinkingSideColumns::heightsByLength(
@@ -307,11 +297,13 @@ Eigen::MatrixXd LinkingSideColumns::heightsByLength(
 {
   const Index n = this->size();
   const Index layers = static_cast<Index>(fractions.size()) - 1;
+  const std::vector<bool> isHeld = this->heldByEdges();
   Eigen::MatrixXd u(n, layers + 1);
   for (Index j = 0; j < n; ++j)
   {
-    const std::vector<double> own =
-      keepsPatches ? this->fractionsOf(static_cast<std::size_t>(j), fractions) : fractions;
+    const std::vector<double> own = keepsPatches
+      ? fractionsBeside(this->Meshed, isHeld, static_cast<std::size_t>(j), fractions)
+      : fractions;
     for (Index k = 0; k <= layers; ++k)
     {
       u(j, k) = k == 0 ? 0.0
@@ -326,6 +318,15 @@ Eigen::MatrixXd LinkingSideColumns::heights(
   const std::vector<double>& fractions, bool keepsPatches) const
 {
   const Index n = this->size();
+  if (!this->Levels.empty() && !keepsPatches)
+  {
+    Eigen::RowVectorXd level(static_cast<Index>(fractions.size()));
+    for (std::size_t k = 0; k < fractions.size(); ++k)
+    {
+      level[static_cast<Index>(k)] = evenlySampled(this->Levels, fractions[k]);
+    }
+    return level.replicate(n, 1);
+  }
   // Neighbouring columns of very different length can turn a quad over in the strip. Rings of one
   // height never do: go towards them as far as it takes.
   const Eigen::MatrixXd byLength = this->heightsByLength(fractions, keepsPatches);
@@ -344,11 +345,11 @@ Eigen::MatrixXd LinkingSideColumns::heights(
     return u;
   }
   const Eigen::MatrixXd steep = u;
-  double least = this->leastSine(u);
+  double least = this->cornerSines(u).least;
   for (const double weight : { 0.5, 1.0 })
   {
     const Eigen::MatrixXd level = (1.0 - weight) * steep + weight * mean.replicate(n, 1);
-    const double sine = this->isStraight(level) ? this->leastSine(level) : least;
+    const double sine = this->isStraight(level) ? this->cornerSines(level).least : least;
     if (sine > LevelGain * least)
     {
       u = level;
@@ -375,7 +376,7 @@ bool LinkingSideColumns::isSteep(const Eigen::MatrixXd& u) const
 }
 
 /// Of the corners of all quads with nodes at these heights.
-double LinkingSideColumns::leastSine(const Eigen::MatrixXd& u) const
+CornerSines LinkingSideColumns::cornerSines(const Eigen::MatrixXd& u) const
 {
   const Index n = this->size();
   const auto ringAt = [&](Index k) {
@@ -386,15 +387,15 @@ double LinkingSideColumns::leastSine(const Eigen::MatrixXd& u) const
     }
     return ring;
   };
-  double least = 1.0;
+  CornerSines sines;
   Points below = ringAt(0);
   for (Index k = 1; k < u.cols(); ++k)
   {
     Points above = ringAt(k);
-    least = std::min(least, leastCornerSine(below, above));
+    sines.add(hexsweep::cornerSines(below, above));
     below = std::move(above);
   }
-  return least;
+  return sines;
 }
 
 Eigen::RowVector2d LinkingSideColumns::planePlace(const Eigen::MatrixXd& u, Index j, Index k) const
@@ -403,7 +404,7 @@ Eigen::RowVector2d LinkingSideColumns::planePlace(const Eigen::MatrixXd& u, Inde
   const std::size_t column = static_cast<std::size_t>(j % n);
   const double turn = j >= n ? 1.0 : 0.0;
   const double height = u(j % n, k);
-  return { (1.0 - height) * this->Source[column] + height * this->Target[column] + turn, height };
+  return { this->Courses.at(column, height) + turn, height };
 }
 
 bool LinkingSideColumns::isStraight(const Eigen::MatrixXd& u) const
@@ -432,10 +433,10 @@ Eigen::RowVector3d LinkingSideColumns::nodeOn(std::size_t column, double u) cons
   {
     return this->inside(column, u).point;
   }
-  const StripColumn& edge = this->Strip.columns[static_cast<std::size_t>(this->Edge[column])];
+  const StripColumn& edge = this->Strip->columns[static_cast<std::size_t>(this->Edge[column])];
   const auto [after, along] = placeOn(edge, u);
-  const Eigen::RowVector3d a = this->Strip.surface.points.row(edge.points[after - 1]);
-  return a + along * (this->Strip.surface.points.row(edge.points[after]) - a);
+  const Eigen::RowVector3d a = this->Strip->surface.points.row(edge.points[after - 1]);
+  return a + along * (this->Strip->surface.points.row(edge.points[after]) - a);
 }
 
 SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) const
@@ -476,8 +477,8 @@ SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) cons
       }
       else
       {
-        node =
-          k == layers ? this->onTargetLoop(this->Target[column]) : this->nodeOn(column, u(j, k));
+        node = k == layers ? pointOnTarget(*this->Strip, this->Courses.end[column])
+                           : this->nodeOn(column, u(j, k));
       }
     }
     const Index next = (j + 1) % n;
@@ -490,7 +491,7 @@ SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) cons
           this->planePlace(u, j + 1, k + 1) + this->planePlace(u, j, k + 1));
       const Index triangle = this->Search->at(middle[0], middle[1]).triangle;
       result.quadTriangle[static_cast<std::size_t>(k * n + quad)] =
-        this->Strip.triangleOrigin[static_cast<std::size_t>(triangle)];
+        this->Strip->triangleOrigin[static_cast<std::size_t>(triangle)];
     }
   }
   return result;

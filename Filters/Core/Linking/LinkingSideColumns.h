@@ -7,8 +7,13 @@
 #ifndef hexsweep_LinkingSideColumns_h
 #define hexsweep_LinkingSideColumns_h
 
+#include "Core/Linking/ColumnCourses.h"
+#include "Core/Linking/RingQuads.h"
 #include "Core/Linking/SidePatches.h"
 #include "Core/Linking/SideStrip.h"
+
+#include <functional>
+#include <memory>
 
 namespace hexsweep
 {
@@ -27,15 +32,16 @@ struct SideTubeMesh
  *
  * CAD edges that begin at a ring node and lead to the target loop are columns themselves. The
  * corners of the target loop are ends of columns. In between, columns share the target loop as
- * their beginnings share the source loop. They run straight through the strip; nodes are laid by
- * arc length along them. Parts of the side that are meshed already keep their nodes; from there the
- * layers pass over to the wanted ones as far as the next CAD edge.
+ * their beginnings share the source loop. They run straight through the strip or share each ring
+ * by length (see shareRings()); nodes are laid by arc length along them. Parts of the side that are
+ * meshed already keep their nodes; from there the layers pass over to the wanted ones as far as the
+ * next CAD edge.
  */
 class LinkingSideColumns
 {
 public:
   /**
-   * @param side  see SideTube.
+   * @param side  see SideTube; must outlive the columns.
    * @param ring  n x 3, n >= 3: nodes of the quads of the source cap along the source loop, in
    *              either direction.
    * @param matchTolerance relative to the shorter edge of the source loop at a point: a ring node
@@ -44,15 +50,13 @@ public:
    *        patches have different numbers of layers; SolverFailure.
    */
   LinkingSideColumns(const SideTube& side, const PointsRef& ring, double matchTolerance = 1e-6);
-  LinkingSideColumns(const LinkingSideColumns&) = delete;
-  LinkingSideColumns& operator=(const LinkingSideColumns&) = delete;
 
   /// Layers of the parts that are meshed already; 0 where there are none.
   Index meshedLayers() const { return this->Meshed.layers; }
   /// Why parts that are meshed already lose their nodes.
   const std::vector<std::string>& refusedPatches() const { return this->Meshed.refused; }
 
-  Index size() const { return static_cast<Index>(this->Source.size()); }
+  Index size() const { return static_cast<Index>(this->Courses.size()); }
 
   /// Mean length of the columns.
   double meanLength() const;
@@ -69,15 +73,33 @@ public:
   /// Nodes of the source loop, the way v rises.
   const Points& ring() const { return this->Ring; }
   /// v where a column (of ring()) begins.
-  double beginOf(Index column) const { return this->Source[static_cast<std::size_t>(column)]; }
+  double beginOf(Index column) const
+  {
+    return this->Courses.begin[static_cast<std::size_t>(column)];
+  }
   /// Whether no CAD edge and no part that is meshed already holds the columns, so that they can
   /// turn.
-  bool isFree() const { return this->Strip.columns.empty() && this->Meshed.layers == 0; }
+  bool isFree() const { return this->Strip->columns.empty() && this->Meshed.layers == 0; }
   /// Places of some columns at a height u in [0, 1], moved on by `turn` in v.
   Points nodesAt(const std::vector<Index>& columns, double u, double turn) const;
   /// Moves the ends of the columns on by `turn` in v, if isFree(). At the corners of the target
   /// loop columns end as before.
   void turnEnds(double turn);
+  /// Has columns share all rings by length, see asideByLength(). Beside parts that are meshed
+  /// already nothing changes. Undone by turnEnds() and freeHeights().
+  void shareRings();
+  /// Has CAD edges go by the strip's heights. @return false, and nothing is done, where parts are
+  /// meshed already.
+  bool freeHeights();
+  /// Heights u of evenly spaced layers, those of the columns by length in the mean.
+  std::vector<double> meanHeights(Index layers) const;
+  /// Has each ring lie at one height of the strip, where else each column has its own by length.
+  /// @param heights rising from 0 to 1, of evenly spaced layers; linearly in between.
+  void levelRings(std::vector<double> heights) { this->Levels = std::move(heights); }
+  /// Nodes of some columns in evenly spaced layers.
+  std::vector<Points> sections(const std::vector<Index>& columns, Index layers) const;
+  /// How square the quads are, looked at in some layers.
+  CornerSines cornerSines() const;
 
   /// Columns that are CAD edges.
   Index keptEdges() const;
@@ -87,15 +109,14 @@ public:
   /// Corners of the target loop for which there is no column left.
   const std::vector<Eigen::RowVector3d>& lostCorners() const { return this->LostCorners; }
   /// Triangles of the side that the map to the strip flips; places near them may be inexact.
-  Index flipped() const { return this->Strip.flipped; }
+  Index flipped() const { return this->Strip->flipped; }
 
 private:
-  void map(const SideTube& side, const PointsRef& ring, double matchTolerance, EdgeHeights heights);
-  void placeRing(const PointsRef& ring, double matchTolerance);
+  void map(EdgeHeights heights);
+  void placeRing();
   void findEnds();
   void measure();
-  std::vector<double> fractionsOf(std::size_t column, const std::vector<double>& wanted) const;
-  Eigen::RowVector3d onTargetLoop(double v) const;
+  std::vector<bool> heldByEdges() const; ///< one a column
   double uAt(std::size_t column, double fraction) const;
   StripPlace inside(std::size_t column, double u) const;
   Eigen::MatrixXd heightsByLength(const std::vector<double>& fractions, bool keepsPatches) const;
@@ -106,21 +127,25 @@ private:
   /// Whether all quads are convex in the strip, the right way round.
   bool isStraight(const Eigen::MatrixXd& u) const;
   bool isSteep(const Eigen::MatrixXd& u) const;
-  double leastSine(const Eigen::MatrixXd& u) const;
+  CornerSines cornerSines(const Eigen::MatrixXd& u) const;
   /// Inside a column, on its CAD edge if it is one.
   Eigen::RowVector3d nodeOn(std::size_t column, double u) const;
 
-  SideStrip Strip;
-  std::optional<StripSearch> Search; ///< refers to Strip
-  Points Ring;                       ///< the way v rises
-  std::size_t Begin = 0;             ///< which given node the first one of Ring is
-  bool Reversed = false;             ///< whether the given ring runs the other way
-  std::vector<double> Source;        ///< v where each column begins, rising within less than 1
-  std::vector<double> Target;        ///< v where it ends
-  double Turn = 0.0;                 ///< what all of Target are ahead of Source, see turnEnds()
-  std::vector<Index> Edge;           ///< CAD edge that it is (Strip.columns), or -1
-  MeshedColumns Meshed;              ///< by column
-  Eigen::MatrixXd Reached;           ///< row: column; length up to each sample of u
+  std::reference_wrapper<const SideTube> Side;
+  Points Given; ///< the ring as it was given
+  double MatchTolerance;
+  EdgeHeights Heights = EdgeHeights::ByLength;
+  std::vector<double> Levels;                ///< see levelRings(); empty: by length
+  std::shared_ptr<const SideStrip> Strip;    ///< shared by copies
+  std::shared_ptr<const StripSearch> Search; ///< refers to Strip
+  Points Ring;                               ///< the way v rises
+  std::size_t Begin = 0;                     ///< which given node the first one of Ring is
+  bool Reversed = false;                     ///< whether the given ring runs the other way
+  ColumnCourses Courses;
+  double Turn = 0.0;       ///< what all ends are ahead of begins, see turnEnds()
+  std::vector<Index> Edge; ///< CAD edge that it is (Strip.columns), or -1
+  MeshedColumns Meshed;    ///< by column
+  Eigen::MatrixXd Reached; ///< row: column; length up to each sample of u
   std::vector<Eigen::RowVector3d> LostEdges;
   std::vector<Eigen::RowVector3d> LostCorners;
 };

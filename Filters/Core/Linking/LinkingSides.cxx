@@ -9,6 +9,7 @@
 #include "Core/Geometry/BoundarySearch.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Linking/LayerSpacing.h"
+#include "Core/Linking/RingAlignment.h"
 #include "Core/Linking/RuledColumns.h"
 #include "Core/Linking/SideTurns.h"
 #include "Core/Surfaces/SurfacePart.h"
@@ -335,8 +336,12 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
   const std::vector<double> turns = sideTurns(columns);
   for (std::size_t l = 0; l < columns.size(); ++l)
   {
-    LinkingSideColumns& side = columns[l];
-    side.turnEnds(turns[l]);
+    columns[l].turnEnds(turns[l]);
+  }
+  levelRingsWhereBetter(columns);
+  shareRingsWhereBetter(columns);
+  for (const LinkingSideColumns& side : columns)
+  {
     meshedLayers = std::max(meshedLayers, side.meshedLayers());
     result.keptEdges += side.keptEdges();
     result.flipped += side.flipped();

@@ -7,10 +7,17 @@
 
 namespace hexsweep
 {
-double leastCornerSine(const PointsRef& below, const PointsRef& above)
+void CornerSines::add(const CornerSines& others)
+{
+  this->least = std::min(this->least, others.least);
+  this->sum += others.sum;
+  this->count += others.count;
+}
+
+CornerSines cornerSines(const PointsRef& below, const PointsRef& above)
 {
   const Index n = below.rows();
-  double least = 1.0;
+  CornerSines sines;
   for (Index j = 0; j < n; ++j)
   {
     const Index next = (j + 1) % n;
@@ -22,9 +29,10 @@ double leastCornerSine(const PointsRef& below, const PointsRef& above)
       const Eigen::RowVector3d ahead = corners[(c + 1) % 4] - corners[c];
       const Eigen::RowVector3d back = corners[(c + 3) % 4] - corners[c];
       const double size = ahead.norm() * back.norm() * normal.norm();
-      least = std::min(least, size > 0.0 ? ahead.cross(back).dot(normal) / size : -1.0);
+      const double sine = size > 0.0 ? ahead.cross(back).dot(normal) / size : -1.0;
+      sines.add({ sine, sine, 1 });
     }
   }
-  return least;
+  return sines;
 }
 }

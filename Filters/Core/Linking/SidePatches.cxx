@@ -149,7 +149,8 @@ std::map<Index, std::vector<Index>> traceOne(
           "are not structured: layer " + std::to_string(layer) + " ends at " +
             describe(patch.points.row(left[layer - 1])) + ", while there are quads left.");
       }
-      for (const auto& [column, next] : { std::make_pair(&left, a), std::make_pair(&right, b) })
+      const std::pair<std::vector<Index>*, Index> sides[] = { { &left, a }, { &right, b } };
+      for (const auto& [column, next] : sides)
       {
         if (column->size() == layer)
         {
@@ -228,5 +229,50 @@ MeshedColumns tracePatches(const std::vector<QuadMesh>& patches, const PointsRef
     }
   }
   return result;
+}
+
+std::vector<double> fractionsBeside(const MeshedColumns& meshed, const std::vector<bool>& isHeld,
+  std::size_t column, const std::vector<double>& wanted)
+{
+  const std::size_t n = isHeld.size();
+  const auto isKnown = [&](std::size_t j) { return isHeld[j] || meshed.columns[j].rows() > 0; };
+  const auto known = [&](std::size_t j) {
+    const Points& nodes = meshed.columns[j];
+    std::vector<double> fractions(1, 0.0);
+    for (Index k = 1; k < nodes.rows(); ++k)
+    {
+      fractions.push_back(fractions.back() + (nodes.row(k) - nodes.row(k - 1)).norm());
+    }
+    const double length = fractions.back();
+    for (double& fraction : fractions)
+    {
+      fraction /= length;
+    }
+    return nodes.rows() > 0 ? fractions : wanted;
+  };
+  std::size_t left = 0;
+  while (left < n && !isKnown((column + n - left) % n))
+  {
+    ++left;
+  }
+  if (meshed.layers == 0 || left == n)
+  {
+    return wanted;
+  }
+  std::size_t right = 0;
+  while (!isKnown((column + right) % n))
+  {
+    ++right;
+  }
+  const std::vector<double> a = known((column + n - left) % n);
+  const std::vector<double> b = known((column + right) % n);
+  const double weight =
+    left == 0 ? 0.0 : static_cast<double>(left) / static_cast<double>(left + right);
+  std::vector<double> fractions;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    fractions.push_back((1.0 - weight) * a[k] + weight * b[k]);
+  }
+  return fractions;
 }
 }

@@ -12,6 +12,7 @@
 #include "Core/Common/Mesh.h"
 
 #include <string>
+#include <vector>
 
 namespace hexsweep
 {
@@ -41,6 +42,15 @@ struct MeshedColumns
  */
 MeshedColumns tracePatches(const std::vector<QuadMesh>& patches, const PointsRef& ring,
   const PointsRef& targetLoop, double matchTolerance);
+
+/**
+ * @param isHeld one a column: whether it is a CAD edge.
+ * @param wanted of a column's length.
+ * @return fractions of the column's length: those of a patch where the column bounds it; in between
+ *         them and the wanted ones of the nearest column that is held, linearly.
+ */
+std::vector<double> fractionsBeside(const MeshedColumns& meshed, const std::vector<bool>& isHeld,
+  std::size_t column, const std::vector<double>& wanted);
 }
 
 #endif

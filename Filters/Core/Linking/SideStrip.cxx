@@ -415,6 +415,25 @@ SideStrip mapSideToStrip(const SideTube& side, double longestEdge, EdgeHeights h
   return strip;
 }
 
+Eigen::RowVector3d pointOnTarget(const SideStrip& strip, double v)
+{
+  const std::vector<double>& values = strip.targetV;
+  const std::size_t n = values.size();
+  double turned = v - std::floor(v - values.front());
+  turned -= turned >= values.front() + 1.0 ? 1.0 : 0.0;
+  const std::size_t after = static_cast<std::size_t>(
+    std::upper_bound(values.begin(), values.end(), turned) - values.begin());
+  const std::size_t edge = after == 0 ? 0 : after - 1;
+  const double next = edge + 1 < n ? values[edge + 1] : values[0] + 1.0;
+  const double fraction =
+    std::min(1.0, std::max(0.0, (turned - values[edge]) / (next - values[edge])));
+  const Eigen::RowVector3d a = strip.surface.points.row(strip.target[edge]);
+  const Eigen::RowVector3d b = strip.surface.points.row(strip.target[(edge + 1) % n]);
+  // Where the place is a point of the loop to rounding, it is that point.
+  constexpr double Rounding = 1e-9;
+  return fraction < Rounding ? a : fraction > 1.0 - Rounding ? b : a + fraction * (b - a);
+}
+
 StripSearch::StripSearch(const SideStrip& strip)
   : Strip(strip)
   , Plane(strip.plane, strip.planeTriangles)

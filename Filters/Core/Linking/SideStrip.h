@@ -67,6 +67,9 @@ enum class EdgeHeights
 SideStrip mapSideToStrip(
   const SideTube& side, double longestEdge, EdgeHeights heights = EdgeHeights::ByLength);
 
+/// @return the place of the target loop at v, any number, period 1.
+Eigen::RowVector3d pointOnTarget(const SideStrip& strip, double v);
+
 /// A place on the side.
 struct StripPlace
 {

@@ -14,6 +14,8 @@ constexpr double MostFall = 0.1;
 /// caps that change their shape were seen up to 0.06 beside it, edges that wander from 0.24 on.
 constexpr double MostAside = 0.12;
 
+constexpr double SmoothCosine = 0.866; // of 30 degrees
+
 /// Of the heights along an edge: by its length, so that they rise where those of the strip do not.
 constexpr double ShareOfLength = 0.02;
 
@@ -97,5 +99,20 @@ std::vector<double> risingHeights(const StripColumn& column, const PlanePointsRe
   heights.front() = 0.0;
   heights.back() = 1.0;
   return heights;
+}
+
+bool isSmooth(const PointsRef& points, const StripColumn& column)
+{
+  for (std::size_t k = 1; k + 1 < column.points.size(); ++k)
+  {
+    const Eigen::RowVector3d here = points.row(column.points[k]);
+    const Eigen::RowVector3d in = here - points.row(column.points[k - 1]);
+    const Eigen::RowVector3d out = points.row(column.points[k + 1]) - here;
+    if (in.dot(out) < SmoothCosine * in.norm() * out.norm())
+    {
+      return false;
+    }
+  }
+  return true;
 }
 }

@@ -27,6 +27,8 @@ std::vector<StripColumn> steadyColumns(
 /// The heights u of `free` along an edge, made to rise strictly from 0 to 1: an edge round a ledge
 /// has no other heights than its neighbourhood then, although it is longer.
 std::vector<double> risingHeights(const StripColumn& column, const PlanePointsRef& free);
+/// Whether an edge has no corner, a turn by more than 30 degrees at one of its points.
+bool isSmooth(const PointsRef& points, const StripColumn& column);
 }
 
 #endif

@@ -8,6 +8,10 @@
 
 #include "Core/Common/Mesh.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace hexsweep
 {
 /// A CAD edge that leads from the source loop to the target loop.
@@ -17,6 +21,14 @@ struct StripColumn
   std::vector<double> u;     ///< of each point: its height in the strip, rising from 0 to 1
   double v = 0.0;
 };
+
+/// The point of a CAD edge after a height, and the fraction of the way to it from the one before.
+inline std::pair<std::size_t, double> placeOn(const StripColumn& edge, double u)
+{
+  const std::size_t after = static_cast<std::size_t>(
+    std::upper_bound(edge.u.begin(), edge.u.end() - 1, u) - edge.u.begin());
+  return { after, (u - edge.u[after - 1]) / (edge.u[after] - edge.u[after - 1]) };
+}
 }
 
 #endif

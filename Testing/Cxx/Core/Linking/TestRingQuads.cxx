@@ -25,7 +25,7 @@ hexsweep::Points ring(double height, double leap)
 
 TEST(RingQuads, UprightQuadsAreSquare)
 {
-  EXPECT_NEAR(hexsweep::leastCornerSine(ring(0.0, 0.0), ring(0.5, 0.0)), 1.0, 1e-14);
+  EXPECT_NEAR(hexsweep::cornerSines(ring(0.0, 0.0), ring(0.5, 0.0)).least, 1.0, 1e-14);
 }
 
 TEST(RingQuads, LeapingRingsMakeParallelograms)
@@ -34,14 +34,14 @@ TEST(RingQuads, LeapingRingsMakeParallelograms)
   for (const double leap : { 0.1, 0.5, 2.0 })
   {
     // Angle between the upright and an edge that rises by the leap over a step.
-    EXPECT_NEAR(hexsweep::leastCornerSine(ring(0.0, leap), ring(0.5, leap)),
+    EXPECT_NEAR(hexsweep::cornerSines(ring(0.0, leap), ring(0.5, leap)).least,
       step / std::hypot(step, leap), 1e-12);
   }
 }
 
 TEST(RingQuads, CrossedQuadsAndQuadsWithoutLengthAreNegative)
 {
-  EXPECT_LT(hexsweep::leastCornerSine(ring(0.0, 0.3), ring(0.1, 0.0)), 0.0);
-  EXPECT_EQ(hexsweep::leastCornerSine(ring(0.0, 0.0), ring(0.0, 0.0)), -1.0);
+  EXPECT_LT(hexsweep::cornerSines(ring(0.0, 0.3), ring(0.1, 0.0)).least, 0.0);
+  EXPECT_EQ(hexsweep::cornerSines(ring(0.0, 0.0), ring(0.0, 0.0)).least, -1.0);
 }
 }

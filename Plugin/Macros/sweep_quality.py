@@ -101,7 +101,9 @@ def show_histogram(mesh, view):
     bars.BinCount = BINS
     bars.UseCustomBinRanges, bars.CustomBinRanges = 1, [0.0, 1.0]
     layout = simple.GetLayout(view)
-    chart = simple.CreateView("XYBarChartView", detachedFromLayout=True)
+    # ParaView 5.12 and newer know no other views than such that lie in no layout at first.
+    detached = {"detachedFromLayout": True} if simple.GetParaViewVersion() < (5, 12) else {}
+    chart = simple.CreateView("XYBarChartView", **detached)
     left = layout.SplitViewHorizontal(view, 0.6)
     layout.AssignView(left + 1, chart)
     simple.Show(bars, chart, "XYBarChartRepresentation").SeriesVisibility = ["bin_values"]

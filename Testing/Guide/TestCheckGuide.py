@@ -2,6 +2,7 @@
 """check_guide.py and run_page.py find what is wrong."""
 
 import sys
+import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
@@ -61,6 +62,25 @@ def test_blocks_that_nobody_runs_are_faults():
             assert language in str(error)
         else:
             raise AssertionError((mark, language))
+
+
+def test_blocks_for_programs_that_are_not_there_are_left_out():
+    with tempfile.TemporaryDirectory() as folder:
+        page = Path(folder) / "page.md"
+        page.write_text(
+            "<!-- needs: no-such-program -->\n```sh\nno-such-program\n```\n\n<!-- output -->\n```text\nnever\n```\n\n"
+            "<!-- needs: bash -->\n```sh\necho so\n```\n\n<!-- output -->\n```text\nOUTPUT\n```\n"
+        )
+        text = page.read_text()
+        page.write_text(text.replace("OUTPUT", "so"))
+        run_page.run_page(page, Path(folder), False)
+        page.write_text(text.replace("OUTPUT", "otherwise"))
+        try:
+            run_page.run_page(page, Path(folder), False)
+        except AssertionError as error:
+            assert "otherwise" in str(error)
+        else:
+            raise AssertionError("an output that differs went unseen")
 
 
 for name, test in list(globals().items()):

@@ -8,11 +8,13 @@
 Blocks are sh, python (all of a page in one interpreter), text, and what a comment before them says:
 `<!-- run: pvpython -->` a script for pvpython; `<!-- run: window -->` a program with a window, which must
 come up and stay; `<!-- run: ci -->` what continuous integration runs, .ci/run; `<!-- file: NAME -->` the content of a file; `<!-- output -->` what the block before
-prints, "..." for anything. Other blocks are a fault, so that none is left out.
+prints, "..." for anything; `<!-- needs: PROGRAM -->` a block that is left out, with its output, where there is no
+such program (not every release of Debian has CalculiX). Other blocks are a fault, so that none is left out.
 """
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import time
@@ -142,7 +144,12 @@ def run_page(page, folder, write):
         line = text[: match.start()].count("\n") + 1
         print(f"== {page.name}:{line}: {language} {mark}", flush=True)
         try:
-            if mark == "output" and language == "text":
+            if mark.startswith("needs: ") and shutil.which(mark[len("needs: ") :]) is None:
+                told = None
+                print("left out: the program is not there", flush=True)
+            elif mark == "output" and language == "text" and told is None:
+                continue
+            elif mark == "output" and language == "text":
                 if write and not fits(told, code):
                     parts += [text[last : match.start(3)], cleaned(told)]
                     last = match.end(3)
@@ -151,7 +158,7 @@ def run_page(page, folder, write):
             elif mark.startswith("file: "):
                 (folder / mark[len("file: ") :]).write_text(code, encoding="utf-8")
             else:
-                told = _runner(reader, mark, language)(code)
+                told = _runner(reader, "" if mark.startswith("needs: ") else mark, language)(code)
                 print(told, flush=True)
         except AssertionError as error:
             raise AssertionError(f"{page.name}, line {line}: {error}") from None

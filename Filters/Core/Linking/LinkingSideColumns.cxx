@@ -25,7 +25,8 @@ namespace
 constexpr Index Samples = 64;            // of a column's length
 constexpr double TrianglesOfRing = 32.0; // a side of n columns is cut as finely as n n / this...
 constexpr double LeastTriangles = 500.0; // ... triangles would be, but not coarser than this
-/// Of the least sine of a corner: rings are levelled where that gains so much.
+/// Of the least sine of a corner, or of what sines lack in the mean: rings are levelled where that
+/// gains so much.
 constexpr double LevelGain = 1.25;
 constexpr Index LayersLookedAt = 16;
 constexpr double MostRise = 0.2; // of a ring, over its way
@@ -345,15 +346,16 @@ Eigen::MatrixXd LinkingSideColumns::heights(
     return u;
   }
   const Eigen::MatrixXd steep = u;
-  double least = this->cornerSines(u).least;
+  CornerSines best = this->cornerSines(u);
   for (const double weight : { 0.5, 1.0 })
   {
     const Eigen::MatrixXd level = (1.0 - weight) * steep + weight * mean.replicate(n, 1);
-    const double sine = this->isStraight(level) ? this->cornerSines(level).least : least;
-    if (sine > LevelGain * least)
+    const CornerSines sines = this->isStraight(level) ? this->cornerSines(level) : best;
+    if (sines.least > LevelGain * best.least ||
+      (sines.least >= best.least && LevelGain * (1.0 - sines.mean()) < 1.0 - best.mean()))
     {
       u = level;
-      least = sine;
+      best = sines;
     }
   }
   return u;

@@ -38,6 +38,18 @@ endif ()
 set(HEXSWEEP_PACKAGE_CONTACT "${hexsweep_contact}" CACHE STRING "Maintainer of the Debian packages: Name <address>")
 mark_as_advanced(HEXSWEEP_PACKAGE_CONTACT)
 
+# What ParaView reads when it starts, where it has such a file (Debian 13): diverted by the package.
+get_filename_component(HEXSWEEP_PARAVIEW_CONF
+  "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/${HEXSWEEP_PLUGIN_SUBDIRECTORY}" DIRECTORY)
+string(APPEND HEXSWEEP_PARAVIEW_CONF "/paraview.conf")
+set(hexsweep_preinst)
+if (EXISTS "${HEXSWEEP_PARAVIEW_CONF}")
+  set(hexsweep_preinst "${hexsweep_debian_dir}/preinst")
+  configure_file(Packaging/Debian/preinst.in "${hexsweep_preinst}" @ONLY)
+else ()
+  set(HEXSWEEP_PARAVIEW_CONF)
+endif ()
+configure_file(Packaging/Debian/postrm.in "${hexsweep_debian_dir}/postrm" @ONLY)
 configure_file(Packaging/Debian/changelog.in "${hexsweep_debian_dir}/changelog" @ONLY)
 configure_file(Packaging/Debian/Layout.cmake.in "${hexsweep_debian_dir}/Layout.cmake" @ONLY)
 
@@ -96,7 +108,8 @@ set(CPACK_DEBIAN_HEXSWEEP_PACKAGE_CONTROL_EXTRA
   "${CMAKE_CURRENT_SOURCE_DIR}/Packaging/Debian/triggers"
   "${CMAKE_CURRENT_SOURCE_DIR}/Packaging/Debian/postinst"
   "${CMAKE_CURRENT_SOURCE_DIR}/Packaging/Debian/prerm"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Packaging/Debian/postrm")
+  "${hexsweep_debian_dir}/postrm"
+  ${hexsweep_preinst})
 
 set(CPACK_DEBIAN_HEXSWEEP-DEV_PACKAGE_NAME hexsweep-dev)
 set(CPACK_DEBIAN_HEXSWEEP-DEV_PACKAGE_SECTION libdevel)

@@ -36,8 +36,8 @@ DEVELOPMENT = [
 # Where a package may put files, each with what the other one has alone.
 PLACES = {
     "hexsweep": [r"usr/bin/hexsweep", rf"{lib}/lib\w+\.so\.[\d.]+", rf"{lib}/{plugins}/.*", rf"{python}/.*",
-                 r"usr/share/man/man1/.*", r"usr/share/hexsweep/macros/\w+\.py", r"usr/bin/paraview\.conf",
-                 r"usr/share/paraview/plugins/HexSweep"],
+                 r"usr/share/man/man1/.*", r"usr/share/hexsweep/macros/\w+\.py",
+                 rf"(usr/bin|{lib}/{os.path.dirname(plugins)})/paraview\.conf"],
     "hexsweep-dev": [r"usr/include/hexsweep/.*", rf"{lib}/lib\w+\.(so|a)", rf"{lib}/cmake/HexSweep/.*",
                      rf"{lib}/vtk/hierarchy/HexSweep/.*"],
 }
@@ -88,16 +88,23 @@ def check_places(package, files):
     assert not [name for name in files if "__pycache__" in name]
 
 
-def check_paraview(root):
-    """What ParaView reads when it starts leads to the plugin: a file beside the programs, or a folder."""
-    plugin = os.path.join(root, lib, plugins, "HexSweep", "HexSweep.so")
-    link = os.path.join(root, "usr/share/paraview/plugins/HexSweep")
-    if os.path.lexists(link):
-        assert os.path.samefile(os.path.join(link, "HexSweep.so"), plugin)
-        return
-    with open(os.path.join(root, "usr/bin/paraview.conf"), encoding="utf-8") as file:
-        (line,) = file.read().splitlines()
-    with open(os.path.join(root, "usr/bin", line), encoding="utf-8") as file:
+def check_paraview(root, deb):
+    """What ParaView reads when it starts leads to the plugin: a file beside the programs, or its own in place of theirs."""
+    conf = os.path.join(lib, os.path.dirname(plugins), "paraview.conf")
+    if os.path.exists(f"/{conf}"):
+        with open(os.path.join(root, conf), encoding="utf-8") as file:
+            *theirs, line = file.read().splitlines()
+        own = f"/{conf}.distrib" if os.path.exists(f"/{conf}.distrib") else f"/{conf}"
+        with open(own, encoding="utf-8") as file:
+            assert theirs == file.read().splitlines(), theirs
+        for script, action in ("preinst", "--add"), ("postrm", "--remove"):
+            text = run("dpkg-deb", "--info", deb, script)
+            assert f"dpkg-divert --package hexsweep {action} --rename" in text and f"/{conf}" in text, text
+    else:
+        conf = "usr/bin/paraview.conf"
+        with open(os.path.join(root, conf), encoding="utf-8") as file:
+            (line,) = file.read().splitlines()
+    with open(os.path.join(root, os.path.dirname(conf), line), encoding="utf-8") as file:
         assert re.search(r'<Plugin name="HexSweep" auto_load="1"', file.read())
 
 
@@ -134,7 +141,7 @@ with tempfile.TemporaryDirectory() as scratch:
         check_places(package, files)
         check_binaries(root, files)
         if package == "hexsweep":
-            check_paraview(root)
+            check_paraview(root, deb)
         named += check_text(root, files)
         present.update(files)
         with gzip.open(os.path.join(root, f"usr/share/doc/{package}/changelog.Debian.gz"), "rt") as file:

@@ -94,7 +94,12 @@ set(CPACK_DEBIAN_HEXSWEEP_PACKAGE_SHLIBDEPS ON)
 math(EXPR python_next "${Python3_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_HEXSWEEP_PACKAGE_DEPENDS
   "python3-paraview (>= ${ParaView_VERSION}), python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}~), python3 (<< ${Python3_VERSION_MAJOR}.${python_next}~)")
-set(CPACK_DEBIAN_HEXSWEEP_PACKAGE_RECOMMENDS "python3-meshio, python3-h5py")
+# What shows icons: ParaView's own and ours are SVG, and Debian's ParaView depends on nothing that draws them.
+set(hexsweep_svg qt6-svg-plugins)
+if (hexsweep_deb_release STREQUAL "12")
+  set(hexsweep_svg libqt5svg5)
+endif ()
+set(CPACK_DEBIAN_HEXSWEEP_PACKAGE_RECOMMENDS "python3-meshio, python3-h5py, ${hexsweep_svg}")
 set(CPACK_DEBIAN_HEXSWEEP_PACKAGE_SUGGESTS "hexsweep-dev, gmsh")
 # cpack would write this file itself, but for plugins as well, which have no version, and then fails.
 set(hexsweep_shlibs)

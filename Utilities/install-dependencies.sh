@@ -32,7 +32,7 @@ packages=(
 if [[ $(. /etc/os-release 2>/dev/null && echo "${VERSION_ID:-}") == 12 ]]; then
   packages+=(qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 calculix-ccx)
 else
-  packages+=(qt6-base-dev qt6-tools-dev qt6-svg-dev qt6-5compat-dev)
+  packages+=(qt6-base-dev qt6-tools-dev qt6-svg-dev qt6-svg-plugins qt6-5compat-dev)
 fi
 
 say() { printf '== %s\n' "$*"; }

@@ -67,6 +67,7 @@ def check_control(package, file):
     depends = field(file, "Depends")
     if package == "hexsweep":
         assert f"python3-paraview (>= {paraview})" in depends, depends
+        assert "svg" in field(file, "Recommends"), "ParaView's buttons and ours would have no icons"
         assert re.search(r"python3 \(>= 3\.(\d+)~\), python3 \(<< 3\.\d+~\)", depends), depends
         assert "python3-vtk9" in field(file, "Description")
         control = run("dpkg-deb", "--info", file, "shlibs")

@@ -5,15 +5,19 @@ Qt says where a widget is; the click itself is one of the X server's (xdotool), 
 or behind another is not reached, as a user would not reach it.
 """
 
+import importlib
 import os
 import subprocess
 import time
 import traceback
 
+with open("/proc/self/maps", encoding="utf-8") as maps:
+    qt = "PyQt6" if "libQt6Core" in maps.read() else "PyQt5"  # that of ParaView: both in a process do not go
 try:
-    from PyQt6 import QtCore, QtGui, QtWidgets
+    QtCore, QtWidgets = (importlib.import_module(f"{qt}.{name}") for name in ("QtCore", "QtWidgets"))
 except ImportError:
-    from PyQt5 import QtCore, QtGui, QtWidgets
+    os.write(1, f"{qt} is not installed (Debian: python3-{qt.lower()})\n".encode())
+    os._exit(77)
 
 OUTPUT = os.environ["HEXSWEEP_WALK_OUTPUT"]
 PATIENCE = float(os.environ.get("HEXSWEEP_WALK_PATIENCE", "60"))  # seconds for one step

@@ -22,17 +22,17 @@ packages=(
   libocct-data-exchange-dev libocct-modeling-algorithms-dev libtbb-dev libfontconfig-dev
   # programs and packages that read what is written, for tests: gmsh, meshio
   gmsh python3-meshio python3-h5py
-  # a display without a screen, and mpirun for the parallel test
-  xvfb xauth openmpi-bin libopenmpi-dev
+  # a display without a screen and its mouse, and mpirun for the parallel test
+  xvfb xauth xdotool openmpi-bin libopenmpi-dev
   # what packages are made with
   dpkg-dev file
   "$@"
 )
 # Debian 12 has ParaView 5.11 on Qt 5, and CalculiX, which tests run where it is; 13 has 5.13 on Qt 6, no CalculiX.
 if [[ $(. /etc/os-release 2>/dev/null && echo "${VERSION_ID:-}") == 12 ]]; then
-  packages+=(qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 calculix-ccx)
+  packages+=(qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 python3-pyqt5 calculix-ccx)
 else
-  packages+=(qt6-base-dev qt6-tools-dev qt6-svg-dev qt6-svg-plugins qt6-5compat-dev)
+  packages+=(qt6-base-dev qt6-tools-dev qt6-svg-dev qt6-svg-plugins python3-pyqt6 qt6-5compat-dev)
 fi
 
 say() { printf '== %s\n' "$*"; }

@@ -33,7 +33,7 @@ chmod 700 "$scratch"
 # A home of its own: no settings of the user are seen in the picture, none are changed.
 export HOME=$scratch XDG_RUNTIME_DIR=$scratch QT_QPA_PLATFORM=xcb
 export HEXSWEEP_CASE=$folder HEXSWEEP_READY=$scratch/ready
-paraview --dr --plugin-search-paths "$(dirname "$plugin")" --plugins HexSweep \
+paraview --dr --plugin-search-paths="$(dirname "$plugin")" --plugins=HexSweep \
   --script="$source_dir/Utilities/demo/$script" &
 paraview_pid=$!
 trap 'kill -KILL "$paraview_pid"; kill "$display_pid"; rm -rf "$scratch"' EXIT

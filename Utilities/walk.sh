@@ -21,7 +21,7 @@ if [[ ${1:-} == --installed ]]; then
 else
   plugin=$(find "$build_dir/lib" -name HexSweep.so -type f | head -n 1)
   [[ -n $plugin ]] || { echo "walk.sh: build first (Utilities/demo.sh), or --installed" >&2; exit 1; }
-  plugin_options=(--plugin-search-paths "$(dirname "$plugin")" --plugins HexSweep)
+  plugin_options=(--plugin-search-paths="$(dirname "$plugin")" --plugins=HexSweep)
 fi
 HEXSWEEP_WALK_PART=$(realpath "${1:-$source_dir/Data/cad/named_block.step}")
 for program in paraview Xvfb xdotool; do
@@ -29,7 +29,6 @@ for program in paraview Xvfb xdotool; do
 done
 
 HEXSWEEP_WALK_OUTPUT=$source_dir/build/walk
-HEXSWEEP_WALK_SCRIPTS=$source_dir/Utilities/walk
 rm -rf "$HEXSWEEP_WALK_OUTPUT"
 mkdir -p "$HEXSWEEP_WALK_OUTPUT"
 start_display
@@ -38,12 +37,12 @@ chmod 700 "$scratch"
 trap 'kill "$display_pid"; rm -rf "$scratch"' EXIT
 # A home of its own, without settings: that of a new user.
 export HOME=$scratch XDG_RUNTIME_DIR=$scratch XDG_CONFIG_HOME=$scratch/.config QT_QPA_PLATFORM=xcb
-export PYTHONDONTWRITEBYTECODE=1 # the scripts' folder is the source's
+export PYTHONPATH=$source_dir/Utilities/walk PYTHONDONTWRITEBYTECODE=1
 export HEXSWEEP_WALK_STATE=$scratch/state.pvsm
-export HEXSWEEP_WALK_PART HEXSWEEP_WALK_OUTPUT HEXSWEEP_WALK_SCRIPTS
+export HEXSWEEP_WALK_PART HEXSWEEP_WALK_OUTPUT
 
 for script in sweep reopen; do
   say "walk: $script"
-  timeout 600 paraview "${plugin_options[@]}" --script="$HEXSWEEP_WALK_SCRIPTS/$script.py"
+  timeout 600 paraview "${plugin_options[@]}" --script="$source_dir/Utilities/walk/$script.py"
 done
 say "walk: pictures in $HEXSWEEP_WALK_OUTPUT"

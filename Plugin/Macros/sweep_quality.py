@@ -122,6 +122,7 @@ def main():
     show_low(mesh, view)
     show_worst(mesh, view)
     show_histogram(mesh, view)
+    simple.SetActiveView(view)  # else eyes and colours would be those of the chart
     simple.SetActiveSource(mesh)
     simple.RenderAllViews()
 

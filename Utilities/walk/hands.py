@@ -131,16 +131,13 @@ def choose_item(box, text):
 
 
 def messages():
-    """What Output Messages say."""
-    told = []
+    """The lines of Output Messages."""
+    lines = []
     for widget in QtWidgets.QApplication.allWidgets():
         if widget.inherits("pqOutputWidget"):
             for text in widget.findChildren(QtWidgets.QPlainTextEdit) + widget.findChildren(QtWidgets.QTextEdit):
-                told += text.toPlainText().splitlines()
-            for tree in widget.findChildren(QtWidgets.QTreeView):
-                model = tree.model()
-                told += [str(model.index(r, 0).data()) for r in range(model.rowCount())]
-    return [line for line in told if line.strip()]
+                lines += text.toPlainText().splitlines()
+    return [line for line in lines if line.strip()]
 
 
 def quiet():
@@ -169,30 +166,73 @@ def reveal(widget):
     raise Stumbled(f"{widget.text()} cannot be scrolled to")
 
 
-def welcome(number):
+def welcome(picture=""):
     """What ParaView greets a new user with."""
-    yield 2.0
-    window().setGeometry(0, 0, 1920, 1200)  # there may be no window manager that makes it fill the screen
+    yield lambda: visible("QMainWindow") and visible("pqWelcomeDialog")
+    # There may be no window manager that makes it fill the screen.
+    window().setGeometry(QtWidgets.QApplication.primaryScreen().geometry())
     yield 1.0
-    look(number + "_welcome")
-    for dialog in visible("pqWelcomeDialog"):
-        click(next(w for w in visible("QAbstractButton") if w.window() is dialog and plain(w.text()) == "Close"))
-        yield lambda: not visible("pqWelcomeDialog")
+    if picture:
+        look(picture)
+    dialog = one("pqWelcomeDialog")
+    click(next(w for w in visible("QAbstractButton") if w.window() is dialog and plain(w.text()) == "Close"))
+    yield lambda: not visible("pqWelcomeDialog")
     yield 1.0
 
 
-def type_file(path, picture):
+def type_file(path, picture=""):
     """Names the file in ParaView's file dialog."""
     yield lambda: visible("pqFileDialog")
     yield 1.0
     dialog = one("pqFileDialog")
     lines = visible("QLineEdit", lambda w: w.window() is dialog)
-    line = max(lines, key=lambda w: w.mapToGlobal(QtCore.QPoint(0, 0)).y())  # below that for favourites
+    line = max(lines, key=lambda w: place(w)[1])  # below that for favourites
     yield from type_into(line, path)
-    look(picture)
+    if picture:
+        look(picture)
     xdotool("key", "Return")
     yield lambda: not visible("pqFileDialog")
     yield 1.5
+
+
+def apply():
+    click(button("Apply"))
+    yield lambda: not button("Apply").isEnabled()
+    yield 1.5
+
+
+def colour_by(array):
+    """By the list in the tool bar; that of the panel may be scrolled away."""
+    box = one("QComboBox", lambda w: w.objectName() == "Variables" and not w.visibleRegion().isEmpty(), "list of arrays")
+    yield from choose_item(box, array)
+    yield 1.0
+
+
+def isometric():
+    click(one("QToolButton", lambda w: w.defaultAction() and "isometric" in w.defaultAction().text().lower(), "isometric view"))
+    yield 1.0
+
+
+def pick(where):
+    """Selects cells on the face at a point of the view, in parts of its size."""
+    view = view_widget()
+    click(view, 0.02, 0.02)  # the keys are for the view
+    yield 0.5
+    xdotool("key", "s")
+    yield 0.5
+    drag(view, where, (where[0] + 0.02, where[1] + 0.02))
+    yield 1.5
+
+
+def copy_selection():
+    """Presses the upper one of the buttons Copy Active Selection, that of the source."""
+    buttons = visible("QAbstractButton", lambda w: plain(w.text()) == "Copy Active Selection")
+    if not buttons:
+        raise Stumbled("no button Copy Active Selection is seen")
+    upper = min(buttons, key=lambda w: place(w)[1])
+    yield from reveal(upper)
+    click(upper)
+    yield 1.0
 
 
 class Walk(QtCore.QObject):
@@ -236,6 +276,11 @@ class Walk(QtCore.QObject):
             self.wish = 0.0
             if not self.stack:
                 self.timer.stop()
+
+
+def end():
+    """Ends ParaView, and all went well."""
+    os._exit(0)
 
 
 def start(steps):

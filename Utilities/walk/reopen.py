@@ -2,17 +2,15 @@
 """Second half of Utilities/walk.sh: a state file in a ParaView that was just started."""
 
 import os
-import sys
 
-sys.path.insert(0, os.environ["HEXSWEEP_WALK_SCRIPTS"])
-from hands import OUTPUT, Stumbled, button, choose, click, look, messages, one, quiet, say, start, type_file, visible, welcome  # noqa: E402
-from paraview import simple  # noqa: E402
+from hands import OUTPUT, Stumbled, choose, click, look, quiet, say, start, type_file, visible, welcome
+from paraview import simple
 
 STATE = os.environ["HEXSWEEP_WALK_STATE"]
 
 
 def steps():
-    yield from welcome("21")
+    yield from welcome("21_welcome")
     yield from choose("File", "Load State")
     yield from type_file(STATE, "22_load_state")
     look("23_options")

@@ -2,14 +2,11 @@
 """First half of Utilities/walk.sh: from a CAD file to a state file, by mouse and keyboard."""
 
 import os
-import sys
 
-sys.path.insert(0, os.environ["HEXSWEEP_WALK_SCRIPTS"])
-from hands import (  # noqa: E402
-    OUTPUT, Stumbled, QtWidgets, button, choose, choose_item, click, drag, look, messages, one, plain, quiet, reveal, say, start, type_file,
-    view_widget, visible, welcome, xdotool,
+from hands import (
+    OUTPUT, Stumbled, apply, choose, colour_by, copy_selection, isometric, look, pick, quiet, say, start, type_file, welcome,
 )
-from paraview import simple  # noqa: E402
+from paraview import simple
 
 PART = os.environ["HEXSWEEP_WALK_PART"]
 STATE = os.environ["HEXSWEEP_WALK_STATE"]
@@ -23,33 +20,8 @@ def cells(source):
     return source.GetDataInformation().GetNumberOfCells()
 
 
-def apply():
-    click(button("Apply"))
-    yield lambda: not button("Apply").isEnabled()
-    yield 1.5
-
-
-def colour_by(array):
-    box = one("QComboBox", lambda w: w.objectName() == "Variables" and not w.visibleRegion().isEmpty(), "list of arrays")
-    yield from choose_item(box, array)
-    yield 1.0
-
-
-def pick_face():
-    """The face that looks at the user from the left, as it is seen along (-1, -1, -1)."""
-    click(one("QToolButton", lambda w: w.defaultAction() and "isometric" in w.defaultAction().text().lower(), "button for the isometric view"))
-    yield 1.0
-    view = view_widget()
-    click(view, 0.02, 0.02)
-    yield 0.5
-    xdotool("key", "s")
-    yield 0.5
-    drag(view, (0.42, 0.55), (0.44, 0.57))
-    yield 2.0
-
-
 def steps():
-    yield from welcome("01")
+    yield from welcome("01_welcome")
     look("02_window")
     yield from choose("File", "Open")
     yield from type_file(PART, "03_open")
@@ -59,18 +31,13 @@ def steps():
     look("05_solid")
     yield from colour_by("FaceId")
     look("06_faces")
-    yield from pick_face()
+    yield from isometric()
+    yield from pick((0.42, 0.55))  # the face on the left
     look("07_picked")
     yield from choose("Filters", "Hex Sweep", "One To One Sweep")
     yield 1.0
     look("08_filter")
-    copy = sorted(visible("QAbstractButton", lambda w: plain(w.text()) == "Copy Active Selection"), key=lambda w: w.mapToGlobal(w.pos()).y())
-    if not copy:
-        look("09_no_button")
-        raise Stumbled("no button Copy Active Selection")
-    yield from reveal(copy[0])
-    click(copy[0])
-    yield 1.0
+    yield from copy_selection()
     look("09_copied")
     yield from apply()
     yield from quiet()

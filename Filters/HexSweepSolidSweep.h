@@ -11,6 +11,7 @@
 #include "Core/Linking/LinkingSides.h"
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepTopology.h"
+#include "Core/Stacks/PickedCaps.h"
 #include "HexSweepBodies.h"
 #include "HexSweepHexOutput.h"
 
@@ -40,6 +41,7 @@ struct StackSweepSettings
   Eigen::RowVector3d axisDirection = Eigen::RowVector3d::Zero(); ///< 0: none is given
   double draftAngle = 0.0;                                       ///< degrees
   double imprintTolerance = 0.05;                                ///< see StackOptions
+  PickedCaps picked;                                             ///< decide what is found
 };
 
 struct SolidSweepSettings

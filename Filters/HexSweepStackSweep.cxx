@@ -56,6 +56,24 @@ std::optional<Eigen::RowVector3d> givenDirection(
   return direction.normalized().cwiseProduct(body.solid.reflection.signs);
 }
 
+/// @throw InvalidInput where faces were picked that are no caps, or at the other end.
+void requirePicked(const StackSweepSettings& settings, const CapLikeFaces& faces, const char* way)
+{
+  if (!areAtTheirEnds(settings.picked, faces))
+  {
+    throw InvalidInput("the given " + std::string(way) + " does not have " +
+      describePicked(settings.picked) +
+      ". Pick caps at its ends, turn it round, or set it to 0, for one that is found.");
+  }
+}
+
+/// The same the other way round.
+std::optional<RevolvedStack> turnedRound(
+  const SolidSurface& surface, const RevolutionAxis& axis, double draft)
+{
+  return revolvedStack(surface, { axis.point, -axis.direction }, draft);
+}
+
 StackOptions stackOptions(
   const SolidToSweep& solid, const SolidSweepSettings& settings, const Progress& progress)
 {
@@ -249,6 +267,7 @@ std::optional<StackWay> severalCaps(const ReadBody& body, const StackSweepSettin
     {
       throw InvalidInput("round the axis " + describeRefusedFaces(stack->faces));
     }
+    requirePicked(settings, stack->faces, "axis");
     return StackWay{ std::move(stack->faces), axis };
   }
   if (const auto direction = givenDirection(body, settings))
@@ -258,9 +277,10 @@ std::optional<StackWay> severalCaps(const ReadBody& body, const StackSweepSettin
     {
       throw InvalidInput(describeRefusedFaces(faces));
     }
+    requirePicked(settings, faces, "direction");
     return StackWay{ std::move(faces), std::nullopt };
   }
-  std::vector<CapLikeFaces> ways = stackDirections(body.surface, draft);
+  std::vector<CapLikeFaces> ways = pickedDirections(body.surface, settings.picked, draft);
   if (!ways.empty() && ways.front().isStack())
   {
     return ways.front().isPlain()
@@ -268,7 +288,11 @@ std::optional<StackWay> severalCaps(const ReadBody& body, const StackSweepSettin
       : std::optional<StackWay>(StackWay{ std::move(ways.front()), std::nullopt });
   }
   std::optional<RevolvedStack> stack = findRevolvedStack(body.surface, draft);
-  if (!stack || stack->faces.isPlain())
+  if (stack && !areAtTheirEnds(settings.picked, stack->faces))
+  {
+    stack = turnedRound(body.surface, stack->space.axis(), draft);
+  }
+  if (!stack || stack->faces.isPlain() || !areAtTheirEnds(settings.picked, stack->faces))
   {
     return std::nullopt;
   }
@@ -277,7 +301,8 @@ std::optional<StackWay> severalCaps(const ReadBody& body, const StackSweepSettin
 
 std::optional<StackWay> plainWay(const ReadBody& body, const StackSweepSettings& settings)
 {
-  std::vector<CapLikeFaces> ways = stackDirections(body.surface, draftOf(settings));
+  std::vector<CapLikeFaces> ways =
+    pickedDirections(body.surface, settings.picked, draftOf(settings));
   if (ways.empty() || !ways.front().isStack())
   {
     return std::nullopt;
@@ -287,10 +312,13 @@ std::optional<StackWay> plainWay(const ReadBody& body, const StackSweepSettings&
 
 std::string whyNoSeveralCaps(const ReadBody& body, const StackSweepSettings& settings)
 {
-  const std::vector<CapLikeFaces> ways = stackDirections(body.surface, draftOf(settings));
+  const std::vector<CapLikeFaces> ways =
+    pickedDirections(body.surface, settings.picked, draftOf(settings));
+  const std::string picked = describePicked(settings.picked);
   if (ways.empty())
   {
-    return "there is no direction along which the solid has caps at both ends.";
+    return picked.empty() ? "there is no direction along which the solid has caps at both ends."
+                          : "there is no direction with " + picked + ". Pick others, or none.";
   }
   return ways.front().isStack() ? std::string() : describeRefusedFaces(ways.front());
 }

@@ -7,6 +7,7 @@
 #include "HexSweepLayers.h"
 #include "HexSweepLists.h"
 #include "HexSweepRun.h"
+#include "HexSweepSelection.h"
 #include "HexSweepSolidPort.h"
 
 #include <vtkDataSet.h>
@@ -14,6 +15,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkSelection.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <string>
@@ -27,12 +29,18 @@ using namespace hexsweep;
 vtkManyToManySweep::vtkManyToManySweep()
 {
   this->SetNumberOfLayers(0);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
-int vtkManyToManySweep::FillInputPortInformation(int, vtkInformation* info)
+int vtkManyToManySweep::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port > 0)
+  {
+    acceptSelection(info);
+    return 1;
+  }
   acceptSolids(info);
   return 1;
 }
@@ -95,13 +103,18 @@ void vtkManyToManySweep::Execute(vtkInformationVector** inputs, vtkInformationVe
   options.partTouching = true;
   std::vector<ReadBody> bodies = readBodies(
     solid, chosenArray(this), options, { this->VolumeIds.begin(), this->VolumeIds.end() });
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
+  PickedCaps& picked = settings.stacks->picked;
+  picked.sources = selectedFaces(input, vtkSelection::GetData(inputs[1], 0), "source", bodies);
+  picked.targets = selectedFaces(input, vtkSelection::GetData(inputs[2], 0), "target", bodies);
   attachGeometry(port, settings.tell, bodies);
   clock.finish("Read");
   reportProgress(pipelineProgress(this), 0.02);
 
   auto* hexes = vtkUnstructuredGrid::GetData(outputs, 0);
-  const std::vector<std::string> warnings = sweepBodies({ solid, nullptr, bodies }, {}, settings,
-    clock, pipelineProgress(this, 0.02, 1.0), hexes, vtkUnstructuredGrid::GetData(outputs, 1));
+  const std::vector<std::string> warnings =
+    sweepBodies({ solid, nullptr, bodies }, { picked.sources, picked.targets }, settings, clock,
+      pipelineProgress(this, 0.02, 1.0), hexes, vtkUnstructuredGrid::GetData(outputs, 1));
   addStageReport(hexes->GetFieldData(), clock);
   for (const std::string& warning : warnings)
   {

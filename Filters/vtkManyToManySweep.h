@@ -16,6 +16,10 @@
  * A body with one source cap and one target cap along some direction is swept as vtkOneToOneSweep
  * does it, and so is one that cannot be swept along a straight direction.
  *
+ * Ports 1 `SourceSelection` and 2 `TargetSelection`, optional, vtkSelection: lists of cells of the
+ * solid, whose faces are to be caps at the lower and the upper end. They decide which direction is
+ * found, and which way round it is taken; a body without such faces goes its own way.
+ *
  * Input and outputs are those of vtkOneToOneSweep, but for source quads, which are made here. Of
  * the boundary's `BoundaryPart`s 0 is a cap at the lower end of the direction, 1 one at the upper
  * end, 2 a side. Field data has `SweepReportSweepDirection`, `SweepReportRegions` and
@@ -44,6 +48,20 @@ public:
   /// The solid, see vtkOneToOneSweep.
   void SetSolidConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(0, output); }
   void SetSolidData(vtkDataObject* data) { this->SetInputData(0, data); }
+  ///@}
+
+  ///@{
+  /// Cells of the solid that were selected in a view: ports 1 and 2, optional.
+  void SetSourceSelectionConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(1, output);
+  }
+  void SetSourceSelectionData(vtkDataObject* data) { this->SetInputData(1, data); }
+  void SetTargetSelectionConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(2, output);
+  }
+  void SetTargetSelectionData(vtkDataObject* data) { this->SetInputData(2, data); }
   ///@}
 
   ///@{

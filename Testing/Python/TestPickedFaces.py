@@ -49,3 +49,22 @@ selection = part.GetSelectionInput(part.Port)
 assert selection, "the view has selected nothing"
 hexes = OneToOneSweep(Solid=part, SourceSelection=selection, Size=0.5)  # noqa: F821
 assert caps(hexes) == [1, 2], caps(hexes)
+
+# Several caps: either end of a stepped shaft, picked as the source, is where the sweep begins.
+shaft = simple.OpenDataFile(os.path.join(DATA, "cad", "stepped_shaft.step"))
+shaft.UpdatePipeline()
+block = shaft.GetClientSideObject().GetOutputDataObject(0).GetPartition(0, 0)
+found = ManyToManySweep(Solid=shaft, Size=6)  # noqa: F821
+found.UpdatePipeline()
+
+
+def ends(hexes, name):
+    hexes.UpdatePipeline()
+    return {int(face) for face in vtk_to_numpy(servermanager.Fetch(hexes).GetFieldData().GetArray("SweepReport" + name))}
+
+
+for name in "SourceFaceIds", "TargetFaceIds":
+    end = min(ends(found, name))
+    picked = simple.CompositeDataIDSelectionSource(FieldType="CELL", IDs=[2, 0, cell_on(block, end)])
+    hexes = ManyToManySweep(Solid=shaft, SourceSelection=picked, Size=6)  # noqa: F821
+    assert ends(hexes, "SourceFaceIds") == ends(found, name), (end, ends(hexes, "SourceFaceIds"))

@@ -11,6 +11,8 @@
 #include <vtkNew.h>
 #include <vtkOneToOneSweep.h>
 #include <vtkPoints.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
 #include <vtkSweepSets.h>
 
 namespace TestManyToManySweep
@@ -182,6 +184,98 @@ TEST(ManyToManySweep, OneCapAtEitherEndIsSweptAsOneToOne)
   sweep.filter->Update();
   EXPECT_EQ(valueOf(sweep.hexes(), "Regions"), 3.0);
   EXPECT_NEAR(volumeInside(sweep.boundary()), 21.0, 1e-9);
+}
+
+/// A cell in the plane where a coordinate has a value.
+vtkIdType cellAt(vtkPolyData* solid, int axis, double value)
+{
+  vtkIdType cell = 0;
+  const double* box = solid->GetCell(cell)->GetBounds();
+  while (box[2 * axis] != value || box[2 * axis + 1] != value)
+  {
+    box = solid->GetCell(++cell)->GetBounds();
+  }
+  return cell;
+}
+
+vtkSmartPointer<vtkSelection> selectionOf(vtkIdType cell, int fieldType = vtkSelectionNode::CELL)
+{
+  vtkNew<vtkIdTypeArray> list;
+  list->InsertNextValue(cell);
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetFieldType(fieldType);
+  node->SetSelectionList(list);
+  auto selection = vtkSmartPointer<vtkSelection>::New();
+  selection->AddNode(node);
+  return selection;
+}
+
+double faceOf(vtkPolyData* solid, vtkIdType cell)
+{
+  return solid->GetCellData()->GetArray("FaceId")->GetTuple1(cell);
+}
+
+TEST(ManyToManySweep, PickedCapsDecideTheDirection)
+{
+  const Surface solid = surfaceOf(test::cubes({ 5, 3, 3 }, isRibbed));
+  // By itself the sweep goes along y.
+  const vtkIdType ridge = cellAt(solid, 2, 3.0);
+  ManySweep up(solid);
+  up.filter->SetTargetSelectionData(selectionOf(ridge));
+  up.filter->Update();
+  EXPECT_TRUE(up.events.errors.empty());
+  EXPECT_EQ(valueOf(up.hexes(), "Regions"), 3.0);
+  EXPECT_EQ(valueOf(up.hexes(), "SweepDirection", 2), 1.0);
+  EXPECT_NEAR(volumeInside(up.boundary()), 21.0, 1e-9);
+  ManySweep down(solid);
+  down.filter->SetSourceSelectionData(selectionOf(ridge));
+  down.filter->SetTargetSelectionData(selectionOf(cellAt(solid, 2, 0.0)));
+  down.filter->Update();
+  EXPECT_TRUE(down.events.errors.empty());
+  EXPECT_EQ(valueOf(down.hexes(), "SweepDirection", 2), -1.0);
+  EXPECT_NEAR(volumeInside(down.boundary()), 21.0, 1e-9);
+  // One cap at either end: as One To One Sweep between the picked ones.
+  for (const double y : { 0.0, 3.0 })
+  {
+    const vtkIdType end = cellAt(solid, 1, y);
+    down.filter->SetSourceSelectionData(selectionOf(end));
+    down.filter->SetTargetSelectionData(nullptr);
+    down.filter->Update();
+    EXPECT_EQ(valueOf(down.hexes(), "SourceFaceIds"), faceOf(solid, end));
+    EXPECT_FALSE(down.hexes()->GetFieldData()->HasArray("SweepReportRegions"));
+  }
+}
+
+TEST(ManyToManySweep, PickedCapsThatNoDirectionHasAreRefused)
+{
+  const Surface solid = surfaceOf(test::cubes({ 5, 3, 3 }, isRibbed));
+  const vtkIdType ridge = cellAt(solid, 2, 3.0);
+  const vtkIdType side = cellAt(solid, 1, 0.0);
+  const auto refused = [&](const std::function<void(vtkManyToManySweep*)>& set, const char* part) {
+    ManySweep sweep(solid);
+    set(sweep.filter);
+    test::expectOneError(sweep.filter, part);
+  };
+  refused(
+    [&](vtkManyToManySweep* filter) {
+      filter->SetSourceSelectionData(selectionOf(ridge));
+      filter->SetTargetSelectionData(selectionOf(side));
+    },
+    "there is no direction with face");
+  refused(
+    [&](vtkManyToManySweep* filter) {
+      filter->SetSweepDirection(0.0, 0.0, 1.0);
+      filter->SetSourceSelectionData(selectionOf(ridge));
+    },
+    "the given direction does not have face");
+  refused(
+    [&](vtkManyToManySweep* filter) {
+      filter->SetSourceSelectionData(selectionOf(ridge, vtkSelectionNode::POINT));
+    },
+    "the source selection is of points or rows, not of cells");
+  refused([&](vtkManyToManySweep* filter) { filter->SetTargetSelectionData(selectionOf(100000)); },
+    "the target selection has no cells of the solid's surface");
 }
 
 TEST(ManyToManySweep, BodiesEachTakeTheirWay)

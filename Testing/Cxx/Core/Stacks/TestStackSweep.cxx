@@ -3,6 +3,7 @@
 #include "Core/Stacks/StackSweep.h"
 
 #include "Core/Solids/SolidInput.h"
+#include "Core/Stacks/PickedCaps.h"
 #include "Support/LentThreads.h"
 #include "Support/SolidShapes.h"
 
@@ -203,6 +204,34 @@ TEST(StackSweep, TheDirectionIsFound)
   ASSERT_FALSE(ways.empty());
   EXPECT_TRUE(ways.front().isPlain());
   EXPECT_NEAR(std::abs(ways.front().direction.y()), 1.0, 1e-12);
+}
+
+TEST(PickedCaps, AreAtTheirEndsOfWhatIsFound)
+{
+  const SolidSurface ribbed = solidOf(cubes({ 5, 3, 3 }, inRib));
+  const std::vector<CapLikeFaces> ways = stackDirections(ribbed);
+  EXPECT_EQ(hexsweep::pickedDirections(ribbed, {}).size(), ways.size());
+  // Each cap of each way, picked, gives that way, and at the other end the same reversed.
+  for (const CapLikeFaces& way : ways)
+  {
+    for (const hexsweep::StackFace& face : way.faces)
+    {
+      if (face.kind != hexsweep::StackFaceKind::Top)
+      {
+        continue;
+      }
+      const auto above = hexsweep::pickedDirections(ribbed, { {}, { face.id } });
+      ASSERT_EQ(above.size(), 1U);
+      EXPECT_NEAR((above.front().direction - way.direction).norm(), 0.0, 1e-12);
+      const auto below = hexsweep::pickedDirections(ribbed, { { face.id }, {} });
+      ASSERT_EQ(below.size(), 1U);
+      EXPECT_NEAR((below.front().direction + way.direction).norm(), 0.0, 1e-12);
+      EXPECT_TRUE(hexsweep::pickedDirections(ribbed, { { face.id }, { face.id } }).empty());
+    }
+  }
+  EXPECT_EQ(hexsweep::pickedDirections(ribbed, { { 1000 }, {} }).size(), ways.size());
+  EXPECT_EQ(hexsweep::describePicked({ { 3 }, { 5, 6 } }),
+    "face 3 as source cap and faces 5 and 6 as target caps");
 }
 
 TEST(StackSweep, LayersAreShared)

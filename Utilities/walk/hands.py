@@ -111,7 +111,7 @@ def type_into(widget, text):
     click(widget)
     yield 0.3
     xdotool("key", "ctrl+a")
-    xdotool("type", "--delay", 20, text)
+    xdotool("type", "--delay", 5, text)
     yield 0.5
 
 
@@ -192,13 +192,13 @@ def type_file(path, picture=""):
         look(picture)
     xdotool("key", "Return")
     yield lambda: not visible("pqFileDialog")
-    yield 1.5
+    yield 0.7
 
 
 def apply():
     click(button("Apply"))
     yield lambda: not button("Apply").isEnabled()
-    yield 1.5
+    yield 0.7
 
 
 def colour_by(array):
@@ -210,7 +210,7 @@ def colour_by(array):
 
 def isometric():
     click(one("QToolButton", lambda w: w.defaultAction() and "isometric" in w.defaultAction().text().lower(), "isometric view"))
-    yield 1.0
+    yield 0.5
 
 
 def pick(where):

@@ -13,7 +13,8 @@ namespace hexsweep
 {
 namespace
 {
-/// Of the bad hexahedra with CAD edges: no more are left without those that are given up.
+/// Of the bad hexahedra with CAD edges: no more are left without those that are given up. Where
+/// there are twice as many, nothing further is tried.
 constexpr double LeftWithout = 0.5;
 
 /// Where the least scaled Jacobian is lower when all is done, CAD edges are given up for more.
@@ -70,9 +71,11 @@ double leastInTheEnd(
   InteriorOptions options;
   options.keepQualities = true;
   options.parallelFor = parallelFor;
-  const SweepInterior interior = sweepInterior(cage,
-    interiorStarts(InteriorKind::Automatic, cage.isRuled, windingOf(cage.boundary)), options,
-    progress);
+  // The first start says enough: others are for meshes that are to be kept.
+  std::vector<InteriorStart> starts =
+    interiorStarts(InteriorKind::Automatic, cage.isRuled, windingOf(cage.boundary));
+  starts.resize(1);
+  const SweepInterior interior = sweepInterior(cage, starts, options, progress);
   return leastMerit(interior);
 }
 
@@ -125,9 +128,11 @@ SolidCage makeUnhinderedCage(
     }
     const CageForecast without =
       forecastCage(freed, sides, parallelFor, progressPart(progress, 0.7, 0.75));
-    const bool isClear = static_cast<double>(without.notCertified) <
-      LeftWithout * static_cast<double>(with.notCertified);
-    if (isClear || isWorthItsEdges(freed, kept, parallelFor, progressPart(progress, 0.75, 1.0)))
+    const double bad = static_cast<double>(with.notCertified);
+    const double left = static_cast<double>(without.notCertified);
+    const bool isWorse = LeftWithout * left > bad;
+    if (left < LeftWithout * bad ||
+      (!isWorse && isWorthItsEdges(freed, kept, parallelFor, progressPart(progress, 0.75, 1.0))))
     {
       freed.freedSides = facesOfSides(input);
       return freed;

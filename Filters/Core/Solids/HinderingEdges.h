@@ -15,7 +15,8 @@ namespace hexsweep
  *
  * The cage is filled by blendInterior(); where hexahedra are bad on sides with such columns, it is
  * made again without the CAD edges of these sides, and that one is taken if it has less than half
- * of the bad hexahedra. Where that does not decide, both are filled to the end, and the one without
+ * of the bad hexahedra. Where that does not decide, both are filled to the end (from the first
+ * start, and not where twice as many are bad), and the one without
  * edges is taken if the other one's least scaled Jacobian is below 0.25 and its own is half as much
  * again.
  *

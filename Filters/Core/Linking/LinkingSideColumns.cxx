@@ -83,14 +83,9 @@ void LinkingSideColumns::map(EdgeHeights heights)
 
 void LinkingSideColumns::placeRing()
 {
-  const Points& ring = this->Given;
-  const Index n = ring.rows();
-  this->Reversed = !runsAlong(ring, this->Strip->surface.points, this->Strip->source);
-  Points turned = ring;
-  if (this->Reversed)
-  {
-    turned = ring.colwise().reverse();
-  }
+  const Index n = this->Given.rows();
+  this->Reversed = !runsAlong(this->Given, this->Strip->surface.points, this->Strip->source);
+  const Points turned = this->Reversed ? Points(this->Given.colwise().reverse()) : this->Given;
   const std::vector<double> places = ringParameters(
     turned, loopPoints(this->Strip->surface.points, this->Strip->source), this->MatchTolerance);
   std::vector<double> v;
@@ -258,8 +253,7 @@ std::vector<Points> LinkingSideColumns::sections(
 
 CornerSines LinkingSideColumns::cornerSines() const
 {
-  const std::vector<double> fractions = layerFractions(LayersLookedAt);
-  return this->cornerSines(this->heights(fractions, false));
+  return this->cornerSines(this->heights(layerFractions(LayersLookedAt), false));
 }
 
 double LinkingSideColumns::meanLength() const
@@ -462,9 +456,11 @@ SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) cons
     const Index place = (j + static_cast<Index>(this->Begin)) % n;
     return this->Reversed ? n - 1 - place : place;
   };
+  result.held.resize(static_cast<std::size_t>(n));
   for (Index j = 0; j < n; ++j)
   {
     const std::size_t column = static_cast<std::size_t>(j);
+    result.held[static_cast<std::size_t>(given(j))] = this->Edge[column] >= 0;
     const bool isMeshed = keepsPatches && this->Meshed.columns[column].rows() > 0;
     for (Index k = 0; k <= layers; ++k)
     {

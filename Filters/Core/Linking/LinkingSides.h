@@ -36,7 +36,8 @@ struct LinkingMesh
   std::vector<Index> quadLayer;
   std::vector<Index> nodeRing; ///< 0 ... layers
   std::vector<Index>
-    sourcePoint; ///< of each node: the point of the quads that its column begins at
+    sourcePoint;          ///< of each node: the point of the quads that its column begins at
+  std::vector<bool> held; ///< one a column, loop after loop: whether it is a CAD edge
   double meanColumnLength = 0.0;
   Index keptEdges = 0;                         ///< columns that are CAD edges
   std::vector<Eigen::RowVector3d> lostEdges;   ///< see LinkingSideColumns

@@ -6,6 +6,7 @@
 #include "Core/Interior/InteriorJudgement.h"
 #include "Core/Interior/InteriorStarts.h"
 #include "Core/Interior/SectionInterior.h"
+#include "Core/Solids/SideSliding.h"
 
 #include <algorithm>
 
@@ -101,9 +102,8 @@ std::vector<Index> facesOfSides(const SolidCageInput& input)
   }
   return facesOfTriangles(input.solid, triangles);
 }
-}
 
-SolidCage makeUnhinderedCage(
+SolidCage cageWithItsEdgesOrWithout(
   SolidCageInput input, const ParallelFor& parallelFor, const Progress& progress)
 {
   SolidCage kept = makeSolidCage(input, progressPart(progress, 0.0, 0.5));
@@ -146,5 +146,14 @@ SolidCage makeUnhinderedCage(
   {
   }
   return kept;
+}
+}
+
+SolidCage makeUnhinderedCage(
+  const SolidCageInput& input, const ParallelFor& parallelFor, const Progress& progress)
+{
+  SolidCage cage = cageWithItsEdgesOrWithout(input, parallelFor, progressPart(progress, 0.0, 0.8));
+  slideCageSides(input, cage, parallelFor, progressPart(progress, 0.8, 1.0));
+  return cage;
 }
 }

@@ -20,11 +20,13 @@ namespace hexsweep
  * edges is taken if the other one's least scaled Jacobian is below 0.25 and its own is half as much
  * again.
  *
+ * Then nodes of the sides slide where hexahedra are poor there, see slideCageSides().
+ *
  * @return with SolidCage::freedSides where edges were given up.
  * @throw as makeSolidCage().
  */
 SolidCage makeUnhinderedCage(
-  SolidCageInput input, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  const SolidCageInput& input, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 }
 
 #endif

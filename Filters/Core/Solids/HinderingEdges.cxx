@@ -9,6 +9,8 @@
 #include "Core/Solids/SideSliding.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace hexsweep
 {
@@ -152,8 +154,15 @@ SolidCage cageWithItsEdgesOrWithout(
 SolidCage makeUnhinderedCage(
   const SolidCageInput& input, const ParallelFor& parallelFor, const Progress& progress)
 {
-  SolidCage cage = cageWithItsEdgesOrWithout(input, parallelFor, progressPart(progress, 0.0, 0.8));
-  slideCageSides(input, cage, parallelFor, progressPart(progress, 0.8, 1.0));
+  SolidCage cage = cageWithItsEdgesOrWithout(input, parallelFor, progressPart(progress, 0.0, 0.6));
+  std::optional<SolidCage> slid =
+    slideCageSides(input, cage, parallelFor, progressPart(progress, 0.6, 0.7));
+  if (slid &&
+    leastInTheEnd(*slid, parallelFor, progressPart(progress, 0.7, 0.85)) >
+      leastInTheEnd(cage, parallelFor, progressPart(progress, 0.85, 1.0)))
+  {
+    return *std::move(slid);
+  }
   return cage;
 }
 }

@@ -20,7 +20,8 @@ namespace hexsweep
  * edges is taken if the other one's least scaled Jacobian is below 0.25 and its own is half as much
  * again.
  *
- * Then nodes of the sides slide where hexahedra are poor there, see slideCageSides().
+ * Then nodes of the sides slide where hexahedra are poor there (slideCageSides()), if the finished
+ * hexahedra are better for it.
  *
  * @return with SolidCage::freedSides where edges were given up.
  * @throw as makeSolidCage().

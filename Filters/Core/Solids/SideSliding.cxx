@@ -6,6 +6,7 @@
 #include "Core/Geometry/SurfaceSearch.h"
 #include "Core/Interior/BlendInterior.h"
 #include "Core/Interior/SideSlides.h"
+#include "Core/Linking/RingQuads.h"
 #include "Core/Solids/SolidSides.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace hexsweep
 namespace
 {
 constexpr double PoorAtSides = 0.3;
+/// Of the corners of the sides' quads: hexahedra are not poor for their sides then.
+constexpr double GoodSine = 0.6;
 /// Of the least scaled Jacobian by moves inside alone.
 constexpr double WorthSliding = 1.25;
 
@@ -29,6 +32,19 @@ std::vector<Index> sidesOfRows(const SolidCage& cage)
     quad += static_cast<Index>(loop.size()) * cage.linking.rings.numberOfLayers();
   }
   return sides;
+}
+
+double leastSineOf(const RingStack& rings)
+{
+  CornerSines sines;
+  for (std::size_t l = 0; l < rings.loops.size(); ++l)
+  {
+    for (Index k = 0; k < rings.numberOfLayers(); ++k)
+    {
+      sines.add(cornerSines(ringPoints(rings, l, k), ringPoints(rings, l, k + 1)));
+    }
+  }
+  return sines.least;
 }
 
 bool hasPatches(const SolidCageInput& input)
@@ -60,12 +76,13 @@ std::vector<bool> takeRings(const Points& filled, SolidCage& cage)
 }
 }
 
-void slideCageSides(const SolidCageInput& input, SolidCage& cage, const ParallelFor& parallelFor,
-  const Progress& progress)
+std::optional<SolidCage> slideCageSides(const SolidCageInput& input, const SolidCage& cage,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
-  if (cage.isRuled || hasPatches(input) || cage.linking.rings.numberOfLayers() < 2)
+  if (cage.isRuled || hasPatches(input) || cage.linking.rings.numberOfLayers() < 2 ||
+    leastSineOf(cage.linking.rings) > GoodSine)
   {
-    return;
+    return std::nullopt;
   }
   std::vector<SurfaceSearch> searches;
   for (const SideTube& side : solidSides(input.solid, input.topology))
@@ -81,7 +98,7 @@ void slideCageSides(const SolidCageInput& input, SolidCage& cage, const Parallel
     parallelFor, progressPart(progress, 0.1, 0.6));
   if (slid.least <= 0.0 || slid.least == 1.0)
   {
-    return;
+    return std::nullopt;
   }
   const std::vector<bool> allStay(sides.size(), true);
   const double inside = slideSides(
@@ -89,10 +106,11 @@ void slideCageSides(const SolidCageInput& input, SolidCage& cage, const Parallel
                           .least;
   if (slid.least < WorthSliding * inside)
   {
-    return;
+    return std::nullopt;
   }
-  const std::vector<bool> moved = takeRings(slid.points, cage);
-  LinkingMesh& linking = cage.linking;
+  SolidCage result = cage;
+  const std::vector<bool> moved = takeRings(slid.points, result);
+  LinkingMesh& linking = result.linking;
   for (Index q = 0; q < linking.quads.rows(); ++q)
   {
     const auto nodes = linking.quads.row(q);
@@ -107,6 +125,7 @@ void slideCageSides(const SolidCageInput& input, SolidCage& cage, const Parallel
         searches[at(linking.quadSide[at(q)])].project(middle, -1).triangle;
     }
   }
-  cage.boundary = gatherSweepBoundary(cage.source, cage.target, linking.rings);
+  result.boundary = gatherSweepBoundary(result.source, result.target, linking.rings);
+  return result;
 }
 }

@@ -8,6 +8,8 @@
 
 #include "Core/Solids/SolidCage.h"
 
+#include <optional>
+
 namespace hexsweep
 {
 /**
@@ -17,10 +19,12 @@ namespace hexsweep
  * stay; sides that are meshed already, in part, and straight columns are left as they are.
  *
  * @param input what the cage was made from.
+ * @return the cage with the sides that slid, none where none did. The hexahedra of a finished
+ *         interior may still be better without: untangling opens other corners than a blend has.
  * @throw SolverFailure; Aborted.
  */
-void slideCageSides(const SolidCageInput& input, SolidCage& cage, const ParallelFor& parallelFor,
-  const Progress& progress);
+std::optional<SolidCage> slideCageSides(const SolidCageInput& input, const SolidCage& cage,
+  const ParallelFor& parallelFor, const Progress& progress);
 }
 
 #endif

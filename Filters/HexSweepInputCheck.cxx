@@ -10,7 +10,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkCellTypes.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
@@ -88,10 +87,17 @@ private:
   std::array<std::optional<CellSize>, 256> Known{};
 };
 
-std::string describeType(int type)
+/// Types of a grid's cells: VTK has given the call another name.
+template <typename Grid>
+auto typesOf(Grid* grid, int) -> decltype(static_cast<vtkDataArray*>(grid->GetCellTypesArray()))
 {
-  const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
-  return name && *name ? name : "cell of type " + std::to_string(type);
+  return grid->GetCellTypesArray();
+}
+
+template <typename Grid>
+auto typesOf(Grid* grid, long) -> decltype(static_cast<vtkDataArray*>(grid->GetCellTypes()))
+{
+  return grid->GetCellTypes();
 }
 
 /// Cells of a data set that are kept in one vtkCellArray.
@@ -129,7 +135,7 @@ void checkCorners(
     }
     if (size.isExact ? end - begin != size.points : end - begin < size.points)
     {
-      throw InvalidInput(name() + " is a " + describeType(type) + " of " +
+      throw InvalidInput(name() + " is a " + describeCellType(type) + " of " +
         std::to_string(end - begin) + " points instead of " + std::to_string(size.points) + "." +
         Repair);
     }
@@ -182,9 +188,9 @@ void checkFaceStream(vtkUnstructuredGrid* grid, const std::string& what)
 
 void checkGrid(vtkUnstructuredGrid* grid, CellSizes& sizes, const std::string& what)
 {
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  vtkDataArray* types = typesOf(grid, 0);
   const vtkIdType count = grid->GetCells() ? grid->GetCells()->GetNumberOfCells() : 0;
-  const vtkIdType typed = types ? types->GetNumberOfValues() : 0;
+  const vtkIdType typed = types ? types->GetNumberOfTuples() : 0;
   if (count != grid->GetNumberOfCells() || typed < count)
   {
     throw InvalidInput("the " + what + " has " + std::to_string(count) + " cells, but " +
@@ -194,7 +200,7 @@ void checkGrid(vtkUnstructuredGrid* grid, CellSizes& sizes, const std::string& w
   {
     return;
   }
-  checkCorners({ grid->GetCells(), 0, [=](vtkIdType c) { return types->GetValue(c); } },
+  checkCorners({ grid->GetCells(), 0, [=](vtkIdType c) { return grid->GetCellType(c); } },
     grid->GetNumberOfPoints(), sizes, what);
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
   checkFaceStream(grid, what);
@@ -302,6 +308,12 @@ void checkDataObject(vtkDataObject* data, ReadArrays read, const std::string& wh
   }
 }
 
+}
+
+std::string describeCellType(int type)
+{
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  return cell ? cell->GetClassName() : "cell of type " + std::to_string(type);
 }
 
 void checkData(vtkDataObject* data, const std::string& what)

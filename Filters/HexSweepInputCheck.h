@@ -13,6 +13,9 @@ class vtkDataObject;
 
 namespace hexsweep
 {
+/// The name of its class, or "cell of type <number>".
+std::string describeCellType(int type);
+
 /**
  * VTK itself reads past the end of arrays that are shorter than a data set says, and of points that
  * its cells name and that are not there. So each data set is asked once: cells have points, corners

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexSweepReader.h"
 
+#include "HexSweepInputCheck.h"
+
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/CoordinateRange.h"
@@ -8,7 +10,6 @@
 #include "Core/Surfaces/TriangleAngles.h"
 
 #include <vtkCellType.h>
-#include <vtkCellTypes.h>
 #include <vtkDataSet.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
@@ -43,7 +44,7 @@ void checkPresent(vtkDataSet* data, const std::string& what)
 
 std::string describeCell(vtkIdType cell, int type)
 {
-  return "cell " + std::to_string(cell) + " is a " + vtkCellTypes::GetClassNameFromTypeId(type);
+  return "cell " + std::to_string(cell) + " is a " + describeCellType(type);
 }
 
 /// Appends the corners of a cell's faces, 3 or 4 point ids each.

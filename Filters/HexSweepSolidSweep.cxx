@@ -205,7 +205,7 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
     settings.weights, settings.improvement, sized.quads.imprinted, {}, askingFor(progress) };
   return settings.hexes.ensureValid
-    ? makeUnhinderedCage(std::move(input), askingFor(progress), progress)
+    ? makeUnhinderedCage(input, askingFor(progress), progress)
     : makeSolidCage(input, progress);
 }
 

@@ -66,8 +66,9 @@ void addSolids(
       triangles.push_back(corners[v][t]);
     }
   }
-  complex.triangles =
-    Eigen::Map<const Triangles>(triangles.front().data(), static_cast<Index>(triangles.size()), 3);
+  // Volumes that lie through each other may have no triangle left.
+  complex.triangles = Eigen::Map<const Triangles>(
+    triangles.empty() ? nullptr : triangles[0].data(), static_cast<Index>(triangles.size()), 3);
   const std::vector<Index> pieces =
     connectedPieces(complex.triangles, complex.points.rows(), labels);
   std::map<Index, Index> faceOfPiece;

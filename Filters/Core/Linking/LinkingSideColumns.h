@@ -90,7 +90,7 @@ public:
   /// already nothing changes. Undone by turnEnds() and freeHeights().
   void shareRings();
   /// Has CAD edges go by the strip's heights. @return false, and nothing is done, where parts are
-  /// meshed already.
+  /// meshed already, or a CAD edge has corners: round a ledge there are to be nodes by its length.
   bool freeHeights();
   /// Heights u of evenly spaced layers, those of the columns by length in the mean.
   std::vector<double> meanHeights(Index layers) const;

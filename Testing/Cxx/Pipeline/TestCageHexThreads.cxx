@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkCageHexInterior on several threads, its progress and its abort.
-#include "CapGrids.h"
-#include "Support/SweepMeshes.h"
-#include "TestEvents.h"
+#include "CageHexCase.h"
 
 #include "HexSweepArrays.h"
 
@@ -33,7 +31,7 @@
 
 namespace TestCageHexThreads
 {
-using hexsweep::Index;
+using test::gridOf;
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
 /// A bent volume: its rings are no affine images of each other.
@@ -45,25 +43,6 @@ test::Sweep bentSweep(int cells, int layers)
       return Eigen::RowVector3d(
         x + 0.3 * wave + 0.05 * wave * std::sin(3.0 * x + y), y + 0.2 * t * t, t + 0.1 * wave * x);
     });
-}
-
-Grid gridOf(const hexsweep::Points& points, const hexsweep::Quads& quads)
-{
-  auto grid = Grid::New();
-  vtkNew<vtkPoints> copies;
-  copies->SetDataTypeToDouble();
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    copies->InsertNextPoint(points.row(i).data());
-  }
-  grid->SetPoints(copies);
-  grid->Allocate(quads.rows());
-  for (Index q = 0; q < quads.rows(); ++q)
-  {
-    const vtkIdType ids[4] = { quads(q, 0), quads(q, 1), quads(q, 2), quads(q, 3) };
-    grid->InsertNextCell(VTK_QUAD, 4, ids);
-  }
-  return grid;
 }
 
 vtkSmartPointer<vtkCageHexInterior> filterOf(const test::Sweep& sweep)

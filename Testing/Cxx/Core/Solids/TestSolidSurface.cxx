@@ -21,22 +21,7 @@ using test::box;
 using test::cubes;
 using test::expectInvalid;
 using test::SolidInput;
-
-double volumeOf(const SolidSurface& solid)
-{
-  double volume = 0.0;
-  const Eigen::RowVector3d origin = solid.points.row(0);
-  for (Index t = 0; t < solid.triangles.rows(); ++t)
-  {
-    Eigen::Matrix3d edges;
-    for (int c = 0; c < 3; ++c)
-    {
-      edges.row(c) = solid.points.row(solid.triangles(t, c)) - origin;
-    }
-    volume += edges.determinant() / 6.0;
-  }
-  return volume;
-}
+using test::volumeOf;
 
 void expectBad(const SolidInput& input, const std::string& part, const SolidOptions& options = {})
 {

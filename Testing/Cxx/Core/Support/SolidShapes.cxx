@@ -123,4 +123,20 @@ SolidInput withTriangle(SolidInput solid, Index a, Index b, Index c, Index faceI
   solid.faceIds.push_back(faceId);
   return solid;
 }
+
+double volumeOf(const hexsweep::SolidSurface& solid)
+{
+  double volume = 0.0;
+  const Eigen::RowVector3d origin = solid.points.row(0);
+  for (Index t = 0; t < solid.triangles.rows(); ++t)
+  {
+    Eigen::Matrix3d edges;
+    for (int c = 0; c < 3; ++c)
+    {
+      edges.row(c) = solid.points.row(solid.triangles(t, c)) - origin;
+    }
+    volume += edges.determinant() / 6.0;
+  }
+  return volume;
+}
 }

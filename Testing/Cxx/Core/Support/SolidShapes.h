@@ -9,6 +9,7 @@
 #include "Support/CapMeshes.h"
 
 #include "Core/Solids/SolidInput.h"
+#include "Core/Solids/SolidSurface.h"
 
 #include <array>
 #include <functional>
@@ -42,6 +43,9 @@ SolidInput withTriangles(const SolidInput& solid, const std::function<bool(Index
 
 /// With one triangle more.
 SolidInput withTriangle(SolidInput solid, Index a, Index b, Index c, Index faceId);
+
+/// What the triangles enclose, by the divergence theorem.
+double volumeOf(const hexsweep::SolidSurface& solid);
 }
 
 #endif

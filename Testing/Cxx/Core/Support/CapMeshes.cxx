@@ -219,11 +219,30 @@ double loopLength(const Points& points, const Loop& loop)
 
 std::vector<Loop> loopsOf(const TriangleMesh& mesh)
 {
-  std::vector<Loop> loops =
-    hexsweep::checkSurface(mesh.triangles, mesh.points.rows(), "mesh").loops;
+  std::vector<Loop> loops = surfaceLoops(mesh);
   std::stable_sort(loops.begin(), loops.end(), [&](const Loop& a, const Loop& b) {
     return loopLength(mesh.points, a) > loopLength(mesh.points, b);
   });
+  return loops;
+}
+
+std::vector<Loop> surfaceLoops(const TriangleMesh& mesh)
+{
+  return hexsweep::checkSurface(mesh.triangles, mesh.points.rows(), "mesh").loops;
+}
+
+std::vector<Loop> disordered(std::vector<Loop> loops, bool reversed)
+{
+  std::reverse(loops.begin(), loops.end());
+  for (std::size_t l = 0; l < loops.size(); ++l)
+  {
+    std::rotate(loops[l].begin(), loops[l].begin() + static_cast<long>((3 + l) % loops[l].size()),
+      loops[l].end());
+    if (reversed)
+    {
+      std::reverse(loops[l].begin(), loops[l].end());
+    }
+  }
   return loops;
 }
 

@@ -118,6 +118,12 @@ double loopLength(const Points& points, const Loop& loop);
 /// Boundary loops, the longest first.
 std::vector<Loop> loopsOf(const TriangleMesh& mesh);
 
+/// Boundary loops as checkSurface() finds them.
+std::vector<Loop> surfaceLoops(const TriangleMesh& mesh);
+
+/// Loops in another order, beginning elsewhere, perhaps running the other way.
+std::vector<Loop> disordered(std::vector<Loop> loops, bool reversed);
+
 /// Which nodes lie on the boundary.
 std::vector<bool> boundaryFlags(const TriangleMesh& mesh);
 

@@ -12,7 +12,6 @@
 
 namespace TestGluedSphere
 {
-using hexsweep::Circle;
 using hexsweep::GluedSphere;
 using hexsweep::Index;
 using hexsweep::Loop;
@@ -73,11 +72,6 @@ struct Cut
   }
 };
 
-std::vector<Circle> threeHoles()
-{
-  return { { { 0.45, 0.1 }, 0.2 }, { { -0.4, 0.35 }, 0.25 }, { { -0.1, -0.5 }, 0.15 } };
-}
-
 Eigen::MatrixXd stacked(const GluedSphere& sphere, std::size_t loops)
 {
   Eigen::MatrixXd all(0, 2);
@@ -92,7 +86,7 @@ Eigen::MatrixXd stacked(const GluedSphere& sphere, std::size_t loops)
 
 TEST(GluedSphere, ThePlaneIsMappedToItself)
 {
-  test::CircleDomain domain = test::circleDomain(threeHoles(), 0.2);
+  test::CircleDomain domain = test::circleDomain(test::threeRoundHoles(), 0.2);
   double before = 1.0;
   for (int level = 0; level < 4; ++level)
   {
@@ -133,7 +127,7 @@ TEST(GluedSphere, EachCallGainsAtLeastADigit)
 TEST(GluedSphere, EqualsADenseSolve)
 {
   // Gluings of the holes that fit nothing, and a point that no triangle uses.
-  Cut cut(test::circleDomain(threeHoles(), 0.2));
+  Cut cut(test::circleDomain(test::threeRoundHoles(), 0.2));
   for (std::size_t p = 1; p < cut.angles.size(); ++p)
   {
     for (double& angle : cut.angles[p])

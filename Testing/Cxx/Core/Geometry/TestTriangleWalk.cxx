@@ -2,8 +2,10 @@
 // Location by walking against all triangles one by one, in exact integers.
 #include "Core/Geometry/TriangleWalk.h"
 
-#include "Core/Geometry/TriangleSearch.h"
 #include "Support/CapMeshes.h"
+#include "Support/PlaneMeshes.h"
+
+#include "Core/Geometry/TriangleSearch.h"
 
 #include <cstdint>
 #include <limits>
@@ -15,37 +17,21 @@ using hexsweep::Index;
 using hexsweep::LocatedPoints;
 using hexsweep::OutsidePoint;
 using hexsweep::PlanePoints;
-using hexsweep::PlaneTriangulation;
 using hexsweep::Points;
 using hexsweep::TriangleMesh;
 using hexsweep::Triangles;
 using hexsweep::TriangleWalk;
-
-/// Coordinates of meshes are multiples of 2 / Grid and those of points of 1 / Grid: half-way
-/// between two of them lies such a point.
-constexpr double Grid = 1 << 22;
-
-struct PlaneMesh
-{
-  PlanePoints points;
-  Triangles triangles;
-};
-
-PlanePoints rounded(const PlanePoints& points, double step)
-{
-  return (points / step).array().round().matrix() * step;
-}
-
-PlaneMesh onGrid(const TriangleMesh& mesh)
-{
-  return { rounded(mesh.points.leftCols<2>(), 2 / Grid), mesh.triangles };
-}
+using test::GridSteps;
+using test::onGrid;
+using test::PlaneMesh;
+using test::rounded;
+using test::shuffled;
 
 /// Twice the area of a, b, c in units of the grid, exactly.
 std::int64_t areaOf(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c)
 {
-  const auto whole = [](double value) { return static_cast<std::int64_t>(value * Grid); };
+  const auto whole = [](double value) { return static_cast<std::int64_t>(value * GridSteps); };
   return (whole(b.x()) - whole(a.x())) * (whole(c.y()) - whole(a.y())) -
     (whole(b.y()) - whole(a.y())) * (whole(c.x()) - whole(a.x()));
 }
@@ -99,7 +85,7 @@ PlanePoints pointsFor(const PlaneMesh& mesh, int count, unsigned seed = 2)
     points.row(3 * i + 1) = a;
     points.row(3 * i + 2) = 0.5 * (a + b);
   }
-  return rounded(points, 1 / Grid);
+  return rounded(points, 1 / GridSteps);
 }
 
 PlanePoints placesOf(const PlaneMesh& mesh, const LocatedPoints& found)
@@ -158,38 +144,6 @@ void compare(const PlaneMesh& mesh, const PlanePoints& points, double tolerance 
   EXPECT_EQ(outside, found.outside.size());
 }
 
-/// Points and triangles by chance; row t of the result is row origin[t] of the mesh.
-struct Shuffled
-{
-  PlaneMesh mesh;
-  std::vector<Index> origin;
-};
-
-Shuffled shuffled(const PlaneMesh& mesh, unsigned seed)
-{
-  std::mt19937 generator(seed);
-  std::vector<Index> rank(static_cast<std::size_t>(mesh.points.rows()));
-  std::iota(rank.begin(), rank.end(), Index(0));
-  std::shuffle(rank.begin(), rank.end(), generator);
-  Shuffled result{ mesh, std::vector<Index>(static_cast<std::size_t>(mesh.triangles.rows())) };
-  std::iota(result.origin.begin(), result.origin.end(), Index(0));
-  std::shuffle(result.origin.begin(), result.origin.end(), generator);
-  for (std::size_t v = 0; v < rank.size(); ++v)
-  {
-    result.mesh.points.row(rank[v]) = mesh.points.row(static_cast<Index>(v));
-  }
-  for (std::size_t t = 0; t < result.origin.size(); ++t)
-  {
-    const Index turn = static_cast<Index>(generator() % 3);
-    for (Index c = 0; c < 3; ++c)
-    {
-      result.mesh.triangles(static_cast<Index>(t), c) =
-        rank[static_cast<std::size_t>(mesh.triangles(result.origin[t], (c + turn) % 3))];
-    }
-  }
-  return result;
-}
-
 /// Triangles that wind about a disk so that walks to its middle go round and round.
 PlaneMesh whirl(Index around)
 {
@@ -245,7 +199,7 @@ TEST(TriangleWalk, WalksInCirclesEnd)
     const PlaneMesh mesh = whirl(around);
     compare(mesh, pointsFor(mesh, 200), 1e-13);
     PlanePoints middle = pointsFor(mesh, 200, 4) / 64;
-    compare(mesh, rounded(middle, 1 / Grid), 1e-13);
+    compare(mesh, rounded(middle, 1 / GridSteps), 1e-13);
   }
 }
 
@@ -327,7 +281,7 @@ TEST(TriangleWalk, NumberingAndCompanyDoNotMatter)
   }
 
   // The mesh by chance: the same triangle, unless the point lies on an edge.
-  const Shuffled other = shuffled(mesh, 9);
+  const test::ShuffledMesh other = shuffled(mesh, 9);
   const LocatedPoints there = TriangleWalk(other.mesh.points, other.mesh.triangles).locate(points);
   ASSERT_EQ(there.outside.size(), found.outside.size());
   Index inside = 0;
@@ -487,38 +441,5 @@ TEST(TriangleWalk, ReportsProgressAndCanBeAborted)
   EXPECT_GT(last, 0.5);
   EXPECT_LE(last, 1.0);
   EXPECT_THROW(walk.locate(points, [](double) { return false; }), hexsweep::Aborted);
-}
-
-TEST(PlaneTriangulation, NeighborsAreThoseOfTheSurface)
-{
-  for (const unsigned seed : { 1u, 2u })
-  {
-    const PlaneMesh mesh =
-      shuffled(onGrid(test::plate(12, test::threeHoles(), 0.2, seed)), seed).mesh;
-    const Triangles expected = hexsweep::triangleNeighbors(mesh.triangles);
-    const PlaneTriangulation plane(mesh.points, mesh.triangles);
-    ASSERT_EQ(static_cast<Index>(plane.numberOfTriangles()), mesh.triangles.rows());
-    for (std::uint32_t t = 0; t < plane.numberOfTriangles(); ++t)
-    {
-      const PlaneTriangulation::Triangle& triangle = plane.triangle(t);
-      const Index id = static_cast<Index>(triangle.id);
-      for (std::uint32_t c = 0; c < 3; ++c)
-      {
-        const Index corner = static_cast<Index>((triangle.first + c) % 3);
-        const PlaneTriangulation::Point& place = plane.point(triangle.corners[c]);
-        EXPECT_EQ(Eigen::RowVector2d(place.x, place.y),
-          Eigen::RowVector2d(mesh.points.row(mesh.triangles(id, corner))));
-        const std::uint32_t across = triangle.across[c];
-        EXPECT_EQ(across == PlaneTriangulation::None
-            ? Index(-1)
-            : static_cast<Index>(plane.triangle(across >> 2).id),
-          expected(id, corner));
-        if (across != PlaneTriangulation::None)
-        {
-          EXPECT_EQ(plane.triangle(across >> 2).across[across & 3], 4 * t + c);
-        }
-      }
-    }
-  }
 }
 }

@@ -235,4 +235,32 @@ std::vector<Circle> scatteredHoles(std::size_t count, double smallest, double la
   }
   return holes;
 }
+
+std::vector<Circle> oneRoundHole()
+{
+  return { { { 0.3, 0.1 }, 0.25 } };
+}
+
+std::vector<Circle> threeRoundHoles()
+{
+  return { { { 0.45, 0.1 }, 0.2 }, { { -0.4, 0.35 }, 0.25 }, { { -0.1, -0.5 }, 0.15 } };
+}
+
+std::vector<Circle> eightRoundHoles()
+{
+  return { { { 0.55, 0.1 }, 0.14 }, { { 0.2, 0.6 }, 0.16 }, { { -0.4, 0.5 }, 0.12 },
+    { { -0.65, 0.0 }, 0.15 }, { { -0.35, -0.5 }, 0.18 }, { { 0.15, -0.65 }, 0.1 },
+    { { 0.6, -0.4 }, 0.16 }, { { 0.05, 0.0 }, 0.2 } };
+}
+
+Eigen::VectorXd coordinatesOf(const std::vector<Circle>& circles)
+{
+  Eigen::VectorXd result(3 * static_cast<hexsweep::Index>(circles.size()));
+  for (hexsweep::Index h = 0; 3 * h < result.size(); ++h)
+  {
+    const Circle& circle = circles[static_cast<std::size_t>(h)];
+    result.segment<3>(3 * h) << circle.center.x(), circle.center.y(), circle.radius;
+  }
+  return result;
+}
 }

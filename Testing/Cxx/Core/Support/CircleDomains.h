@@ -56,6 +56,18 @@ hexsweep::Points onSphere(hexsweep::Points points);
 
 /// Holes of many sizes that keep clear of each other and of the rim, by chance.
 std::vector<Circle> scatteredHoles(std::size_t count, double smallest, double largest);
+
+std::vector<Circle> oneRoundHole();
+std::vector<Circle> threeRoundHoles();
+std::vector<Circle> eightRoundHoles();
+
+/// Centre and radius of one circle after the other.
+Eigen::VectorXd coordinatesOf(const std::vector<Circle>& circles);
+
+inline std::complex<double> complexOf(const Eigen::RowVector2d& p)
+{
+  return { p.x(), p.y() };
+}
 }
 
 #endif

@@ -17,6 +17,8 @@
 #include <vtkSweepSets.h>
 #include <vtkTable.h>
 
+#include <stdexcept>
+
 namespace test
 {
 namespace
@@ -104,6 +106,17 @@ const std::vector<FilterUse>& everyFilter()
 {
   static const std::vector<FilterUse> uses = makeUses();
   return uses;
+}
+
+const FilterUse& filterUse(const std::string& name)
+{
+  const auto found = std::find_if(everyFilter().begin(), everyFilter().end(),
+    [&](const FilterUse& use) { return use.name == name; });
+  if (found == everyFilter().end())
+  {
+    throw std::out_of_range("no use of a filter is called " + name);
+  }
+  return *found;
 }
 
 bool hasOutput(vtkAlgorithm* filter)

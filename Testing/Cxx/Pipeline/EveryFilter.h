@@ -24,6 +24,9 @@ struct FilterUse
 
 const std::vector<FilterUse>& everyFilter();
 
+/// The one of that name. @throw std::out_of_range
+const FilterUse& filterUse(const std::string& name);
+
 /// A copy that shares nothing with the data set.
 template <typename Data>
 vtkSmartPointer<Data> deepCopy(Data* data)

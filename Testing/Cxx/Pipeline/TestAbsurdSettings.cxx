@@ -14,18 +14,11 @@ namespace TestAbsurdSettings
 {
 using namespace test;
 
-const FilterUse& useOf(const std::string& name)
-{
-  const auto found = std::find_if(everyFilter().begin(), everyFilter().end(),
-    [&](const FilterUse& use) { return use.name == name; });
-  return *found;
-}
-
 template <typename Filter>
 void expectRefused(const std::string& name, const std::function<void(Filter*)>& set,
   const std::vector<std::string>& parts)
 {
-  const vtkSmartPointer<vtkAlgorithm> filter = useOf(name).on();
+  const vtkSmartPointer<vtkAlgorithm> filter = filterUse(name).on();
   set(Filter::SafeDownCast(filter));
   Events events(filter);
   const auto begin = std::chrono::steady_clock::now();
@@ -100,7 +93,7 @@ TEST(AbsurdSettings, LinkingSideMesherRefusesThem)
 TEST(AbsurdSettings, ManyIterationsEndWithoutThem)
 {
   // Nothing gets nearer than rounding allows, however often it is tried.
-  const vtkSmartPointer<vtkAlgorithm> filter = useOf("HarmonicDiskMap").on();
+  const vtkSmartPointer<vtkAlgorithm> filter = filterUse("HarmonicDiskMap").on();
   auto* map = vtkHarmonicDiskMap::SafeDownCast(filter);
   map->SetTolerance(0.0);
   map->SetMaximumIterations(std::numeric_limits<int>::max());

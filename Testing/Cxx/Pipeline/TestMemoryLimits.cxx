@@ -95,16 +95,9 @@ int outcomeOf(vtkAlgorithm* filter)
 /// The sweep of a block into some tens of thousands of hexahedra.
 vtkSmartPointer<vtkAlgorithm> fineSweep()
 {
-  for (const FilterUse& use : everyFilter())
-  {
-    if (use.name == "OneToOneSweep")
-    {
-      const vtkSmartPointer<vtkAlgorithm> filter = use.on();
-      vtkOneToOneSweep::SafeDownCast(filter)->SetSize(0.04);
-      return filter;
-    }
-  }
-  return nullptr;
+  const vtkSmartPointer<vtkAlgorithm> filter = filterUse("OneToOneSweep").on();
+  vtkOneToOneSweep::SafeDownCast(filter)->SetSize(0.04);
+  return filter;
 }
 
 TEST(MemoryLimits, EndSweepsInWords)
@@ -121,18 +114,16 @@ TEST(MemoryLimits, EndTheFiltersAfterItInWords)
   const Grid hexes = deepCopy(vtkUnstructuredGrid::SafeDownCast(sweep->GetOutputDataObject(0)));
   const Grid boundary = deepCopy(vtkUnstructuredGrid::SafeDownCast(sweep->GetOutputDataObject(1)));
   vtkObject::GlobalWarningDisplayOff();
-  for (const FilterUse& use : everyFilter())
+  for (const char* name : { "HexValidity", "SweepSets" })
   {
-    if (use.name == "HexValidity" || use.name == "SweepSets")
+    const FilterUse& use = filterUse(name);
+    SCOPED_TRACE(name);
+    const vtkSmartPointer<vtkAlgorithm> filter = use.on(0, hexes);
+    if (use.inputs.size() > 1)
     {
-      SCOPED_TRACE(use.name);
-      const vtkSmartPointer<vtkAlgorithm> filter = use.on(0, hexes);
-      if (use.name == "SweepSets")
-      {
-        filter->SetInputDataObject(1, boundary);
-      }
-      EXPECT_TRUE(expectDoneOrRefused([&] { return outcomeOf(filter); }, rlim_t{ 20 } << 20));
+      filter->SetInputDataObject(1, boundary);
     }
+    EXPECT_TRUE(expectDoneOrRefused([&] { return outcomeOf(filter); }, rlim_t{ 20 } << 20));
   }
   vtkObject::GlobalWarningDisplayOn();
 }

@@ -103,6 +103,7 @@ TEST(DomainTriangulation, FlippedTrianglesStayFlipped)
   {
     const DomainTriangulation mesh =
       hexsweep::domainTriangulation(domain, mirrored, ring.triangles);
+    ASSERT_GE(mesh.triangles.rows(), ring.triangles.rows()); // an annulus is cut open
     for (Index t = 0; t < mesh.triangles.rows(); ++t)
     {
       EXPECT_LT(areaOf(mesh, t), 0.0);

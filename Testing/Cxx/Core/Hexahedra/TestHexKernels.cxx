@@ -199,6 +199,10 @@ TEST(HexKernels, CornersWithoutAnEdgeDoNotCount)
 TEST(HexKernels, AllInstructionSetsGiveTheSameBits)
 {
   const std::vector<const HexKernels*> kernels = allKernels();
+  if (kernels.size() < 2)
+  {
+    GTEST_SKIP() << "this processor has one set of instructions only";
+  }
   for (unsigned seed = 1; seed <= 40; ++seed)
   {
     std::vector<HexCorners> hexes;

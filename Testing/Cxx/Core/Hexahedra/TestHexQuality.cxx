@@ -284,6 +284,8 @@ TEST(HexQualities, VerdictsAreThoseOfTheCertificate)
   const auto verdicts = hexsweep::hexVerdicts(corners, hexes);
   std::vector<hexsweep::HexQuality> alone(count);
   hexsweep::hexVerdicts(pointers.data(), count, alone.data());
+  ASSERT_EQ(certified.size(), static_cast<std::size_t>(count));
+  ASSERT_EQ(verdicts.size(), static_cast<std::size_t>(count));
   for (std::size_t h = 0; h < certified.size(); ++h)
   {
     for (const auto& verdict : { verdicts[h], alone[h] })

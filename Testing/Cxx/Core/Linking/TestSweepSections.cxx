@@ -70,6 +70,7 @@ TEST(SweepSections, AWholeThatTurnsDoesNotWind)
   const SweepSections sections = sectionsOf(swept(winding, twisted, 20));
   EXPECT_LT(hexsweep::loopWinding(sections).greatest(), 1e-9);
   // The axes turn with the rim: rings are the first one, larger.
+  ASSERT_EQ(sections.rings.size(), 21u);
   for (std::size_t k = 0; k < sections.rings.size(); ++k)
   {
     const double scale = 1.0 + static_cast<double>(k) / 20.0;
@@ -82,6 +83,7 @@ TEST(SweepSections, LiftUndoesFlatten)
   const SweepSections sections =
     sectionsOf(test::windingSweep(shapeOf(Holes::One, 90.0, 1.0)).sweep);
   const Points points = Points::Random(10, 3);
+  ASSERT_EQ(sections.frames.size(), static_cast<std::size_t>(WindingShape{}.layers + 1));
   for (const hexsweep::SectionFrame& frame : sections.frames)
   {
     const Points back = frame.lift(frame.flatten(points), frame.heights(points));

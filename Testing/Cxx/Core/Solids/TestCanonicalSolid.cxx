@@ -164,6 +164,7 @@ TEST(CanonicalSolid, FacesFoundByAngleKeepTheNumbersOfTheFile)
   solid.faceIds.clear();
   const SolidSurface given = makeSolidSurface(solid);
   const SolidSurface canonical = makeSolidSurface(canonicalSolid(solid).input);
+  ASSERT_EQ(canonical.faceIds.size(), 44u); // two for each of 22 unit squares
   for (std::size_t t = 0; t < canonical.faceIds.size(); ++t)
   {
     const auto cell = static_cast<std::size_t>(canonical.cellIds[t]);

@@ -31,8 +31,8 @@ hexsweep::SweepBoundary cup(double depth)
 
 TEST(FoundTarget, UpToAQuarterBack)
 {
-  hexsweep::checkFoundTarget(cup(0.0), { 7 });
-  hexsweep::checkFoundTarget(cup(0.2), { 7 });
+  EXPECT_NO_THROW(hexsweep::checkFoundTarget(cup(0.0), { 7 }));
+  EXPECT_NO_THROW(hexsweep::checkFoundTarget(cup(0.2), { 7 }));
   test::expectInvalid(
     [] { hexsweep::checkFoundTarget(cup(0.3), { 7 }); }, "face 7 fits the source cap best");
   test::expectInvalid([] { hexsweep::checkFoundTarget(cup(0.9), { 7 }); }, "Name the target faces");

@@ -265,6 +265,7 @@ TEST(SweepCandidates, AllThatFitCanBeSweptAndAreListedOnce)
         hexsweep::sweepBetween(solid, candidate.sourceFaceIds, candidate.targetFaceIds));
       EXPECT_TRUE(listed.insert(capsOf(candidate)).second);
     }
+    EXPECT_FALSE(listed.empty());
     // Every pair of single faces that can be swept is there.
     const std::set<Index> ids(solid.faceIds.begin(), solid.faceIds.end());
     for (const Index a : ids)

@@ -254,6 +254,10 @@ TEST(HelmholtzBatch, NodesAreNumberedByTheirDistance)
       }
     }
   }
+  ASSERT_FALSE(problem.mesh.levels.empty());
+  EXPECT_EQ(problem.mesh.levels.front(), 0);
+  EXPECT_EQ(problem.mesh.levels.back(),
+    std::count_if(distance.begin(), distance.end(), [](Index steps) { return steps > 0; }));
   for (std::size_t l = 0; l + 1 < problem.mesh.levels.size(); ++l)
   {
     for (Index i = problem.mesh.levels[l]; i < problem.mesh.levels[l + 1]; ++i)
@@ -268,6 +272,7 @@ TEST(PrismKernels, ProductsEqualEigensOnEveryInstructionSet)
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const PrismKernels* kernels[3];
   const int count = hexsweep::availablePrismKernels(kernels);
+  ASSERT_GE(count, 1);
   std::mt19937 generator(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const Index rows : { 1, 2, 3, 4, 9, 18 })

@@ -16,7 +16,6 @@ using hexsweep::SparseMatrix;
 using hexsweep::TriangleMesh;
 using hexsweep::Weights;
 
-/// A curved cap with three holes and obtuse triangles.
 /// The gradient of each piecewise linear function, 3 t x n: of the hat function at a corner it is
 /// the opposite edge turned by 90 degrees about the normal, over twice the area.
 Eigen::MatrixXd gradientOperator(const TriangleMesh& mesh)
@@ -89,6 +88,7 @@ TEST(SurfaceLaplacian, MeanValueWeightsArePositiveWhereCotangentsAreNot)
 {
   const TriangleMesh mesh = test::curvedPlate(3, 0.3);
   const SparseMatrix laplacian = hexsweep::meanValueLaplacian(mesh.points, mesh.triangles);
+  ASSERT_GT(laplacian.nonZeros(), 4 * mesh.points.rows()); // a node and its neighbours
   for (Index j = 0; j < laplacian.outerSize(); ++j)
   {
     for (SparseMatrix::InnerIterator it(laplacian, j); it; ++it)

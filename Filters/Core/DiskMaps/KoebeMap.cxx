@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/DiskMaps/KoebeMap.h"
 
+#include "Core/Common/DenseAlgebra.h"
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/DiskMaps/ConformalAnnulus.h"
@@ -105,7 +106,7 @@ LoopImage fitCircle(const PlanePoints& image, const std::vector<double>& weights
     normal += weight * row * row.transpose();
     right += weight * p.squaredNorm() * row;
   }
-  const Eigen::Vector3d fit = normal.ldlt().solve(right);
+  const Eigen::Vector3d fit = leastSquares(normal, right);
   LoopImage result;
   result.circle.center = origin + size * fit.head<2>().transpose();
   result.circle.radius = size * std::sqrt(fit[2] + fit.head<2>().squaredNorm());
@@ -294,7 +295,7 @@ private:
         changes.col(i) = step.change - this->Former[static_cast<std::size_t>(i)].change;
         proposals.col(i) = step.proposal - this->Former[static_cast<std::size_t>(i)].proposal;
       }
-      result -= proposals * changes.completeOrthogonalDecomposition().solve(step.change);
+      result -= proposals * leastSquares(changes, step.change);
     }
     this->Former.push_back(step);
     if (this->Former.size() > AndersonMemory)

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Geometry/AffineMap.h"
 
+#include "Core/Common/DenseAlgebra.h"
 #include "Core/Common/Errors.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +57,7 @@ PlaneAxes axesAround(const Eigen::Vector3d& normal)
 
 Eigen::Vector3d leastSquaresNormal(const Points& points)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> scatter(points.transpose() * points);
-  return scatter.eigenvectors().col(0);
+  return principalAxes(points.transpose() * points).axes.col(0);
 }
 }
 
@@ -118,9 +120,11 @@ AffineMap fitAffineMap(const PointsRef& source, const PointsRef& target,
   // regression in one variable, well conditioned however flat the loop is.
   const Eigen::MatrixXd inPlane = from.points * axes;
   const Eigen::VectorXd height = from.points * normal;
-  const auto solver = inPlane.completeOrthogonalDecomposition();
-  const Eigen::MatrixXd planeFit = solver.solve(to.points);
-  const Eigen::VectorXd heightSlope = solver.solve(height);
+  Eigen::MatrixXd right(n, 4);
+  right << to.points, height;
+  const Eigen::MatrixXd fit = leastSquares(inPlane, right);
+  const auto planeFit = fit.leftCols<3>();
+  const auto heightSlope = fit.col(3);
   const Eigen::MatrixXd residual = to.points - inPlane * planeFit;
   const Eigen::VectorXd freeHeight = height - inPlane * heightSlope;
 

@@ -2,6 +2,7 @@
 #include "Core/Linking/LoopMatching.h"
 
 #include "Core/Common/Constants.h"
+#include "Core/Common/DenseAlgebra.h"
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/AffineMap.h"
@@ -93,7 +94,7 @@ Direction findDirection(const ClosedPolygon& source, const ClosedPolygon& target
     ? Eigen::AngleAxisd(
         std::atan2(from.cross(to).dot(axis.normalized()), from.dot(to)), axis.normalized())
         .toRotationMatrix()
-    : Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+    : leastRotation(from, to);
   return direction;
 }
 

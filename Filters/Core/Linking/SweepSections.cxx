@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Linking/SweepSections.h"
 
+#include "Core/Common/DenseAlgebra.h"
 #include "Core/Geometry/AffineMap.h"
 #include "Core/Geometry/LoopGeometry.h"
 
@@ -77,9 +78,7 @@ SectionFrame nextFrame(const SectionFrame& last, const Points& ring)
   SectionFrame frame;
   frame.center = ring.colwise().mean();
   frame.normal = areaVector(ring).normalized();
-  const Eigen::Matrix3d bend =
-    Eigen::Quaterniond::FromTwoVectors(last.normal.transpose(), frame.normal.transpose())
-      .toRotationMatrix();
+  const Eigen::Matrix3d bend = leastRotation(last.normal, frame.normal);
   frame.axes.row(0) = last.axes.row(0) * bend.transpose();
   frame.axes.row(1) = last.axes.row(1) * bend.transpose();
   return frame;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/AffineSweep.h"
 
+#include "Core/Common/DenseAlgebra.h"
 #include "Core/Geometry/ClosedPolygon.h"
 #include "Core/Geometry/TriangleSearch.h"
 #include "Core/Solids/SweepShape.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -165,12 +167,6 @@ std::optional<AffineMap> refine(
 
 using Axes = Eigen::Matrix<double, 3, 2>;
 
-/// Symmetric square root of a symmetric positive matrix.
-Eigen::Matrix2d root(const Eigen::Matrix2d& matrix)
-{
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(matrix).operatorSqrt();
-}
-
 /// The map without a rotation of its own that takes centre, normal and moments to the target's.
 AffineMap transport(const SweepShape& shape)
 {
@@ -179,11 +175,12 @@ AffineMap transport(const SweepShape& shape)
   Axes axes;
   axes.col(0) = from.unitOrthogonal();
   axes.col(1) = from.cross(axes.col(0));
-  const Axes turned = Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix() * axes;
+  const Axes turned = leastRotation(from, to) * axes;
   const Eigen::Matrix2d source = axes.transpose() * shape.sourceMoments.covariance * axes;
   const Eigen::Matrix2d target = turned.transpose() * shape.targetMoments.covariance * turned;
-  const Eigen::Matrix2d half = root(source);
-  const Eigen::Matrix2d stretch = half.inverse() * root(half * target * half) * half.inverse();
+  const Eigen::Matrix2d half = symmetricRoot(source);
+  const Eigen::Matrix2d stretch =
+    half.inverse() * symmetricRoot(half * target * half) * half.inverse();
   AffineMap map;
   map.sourceCenter = shape.sourceMoments.center;
   map.targetCenter = shape.targetMoments.center;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/SweepCandidates.h"
 
+#include "Core/Common/DenseAlgebra.h"
 #include "Core/Common/Errors.h"
 #include "Core/Solids/SweepCap.h"
 #include "Core/Solids/SweepFit.h"
 #include "Core/Solids/SweepRanking.h"
 #include "Core/Solids/SweepTopology.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +37,7 @@ std::vector<Eigen::RowVector3d> sideDirections(const FaceGraph& graph)
     Eigen::RowVector3d direction = face.normal;
     if (face.normal.norm() < Plane)
     {
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(face.spread);
-      direction = solver.eigenvectors().col(0).transpose();
+      direction = principalAxes(face.spread).axes.col(0).transpose();
     }
     direction.normalize();
     const auto known = std::find_if(directions.begin(), directions.end(),

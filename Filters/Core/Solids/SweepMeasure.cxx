@@ -2,8 +2,7 @@
 #include "Core/Solids/SweepMeasure.h"
 
 #include "Core/Common/Constants.h"
-
-#include <Eigen/Eigenvalues>
+#include "Core/Common/DenseAlgebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,9 +78,7 @@ private:
         area += this->Graph.faces[f].area;
       }
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-      spread / area, Eigen::EigenvaluesOnly);
-    this->Result.leaning = std::max(0.0, solver.eigenvalues()[0]);
+    this->Result.leaning = std::max(0.0, principalAxes(spread / area).values[0]);
   }
 
   /// How much an edge runs across the sweep: 0 along a column, 1 along a layer.

@@ -2,12 +2,12 @@
 #include "Core/Stacks/CapLikeFaces.h"
 
 #include "Core/Common/Constants.h"
+#include "Core/Common/DenseAlgebra.h"
 #include "Core/Common/Describe.h"
 #include "Core/Common/DisjointSets.h"
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Surfaces/HalfEdgeTriangles.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -231,10 +231,10 @@ std::vector<Proposal> proposedDirections(const SolidSurface& solid)
     {
       continue;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(sum.spread / sum.area);
-    if (axes.eigenvalues()[0] < RoundFace && axes.eigenvalues()[1] > 10.0 * RoundFace)
+    const PrincipalAxes normals = principalAxes(sum.spread / sum.area);
+    if (normals.values[0] < RoundFace && normals.values[1] > 10.0 * RoundFace)
     {
-      propose(axes.eigenvectors().col(0).transpose(), sum.area, proposals);
+      propose(normals.axes.col(0).transpose(), sum.area, proposals);
     }
     else if (sum.sum.norm() > 0.5 * sum.area)
     {

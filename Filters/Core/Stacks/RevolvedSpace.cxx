@@ -3,7 +3,8 @@
 
 #include "Core/Common/Constants.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +69,7 @@ std::optional<RevolutionAxis> lineBetween(const FacePlane& first, const FacePlan
   Eigen::Matrix3d equations;
   equations << a, b, direction;
   const Eigen::Vector3d sides(a.dot(first.point), b.dot(second.point), direction.dot(first.point));
-  return RevolutionAxis{ equations.partialPivLu().solve(sides).transpose(), direction };
+  return RevolutionAxis{ (equations.inverse() * sides).transpose(), direction };
 }
 }
 

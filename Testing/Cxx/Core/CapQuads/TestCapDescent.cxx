@@ -6,10 +6,9 @@
 #include "Core/CapQuads/CornerTerms.h"
 
 #include "Support/CapMeshes.h"
+#include "Support/DenseTruth.h"
 #include "Support/LentThreads.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -183,7 +182,8 @@ TEST(CapDescent, StepOnAQuadraticSumIsNewtons)
   {
     const Points& start = cap.mesh.points;
     const Differences differences(cap, corners.freeNodes(), start, term, 0.5);
-    const Eigen::VectorXd expected = -differences.hessian.ldlt().solve(differences.gradient);
+    const Eigen::VectorXd expected =
+      -test::denseSolution(differences.hessian, differences.gradient);
     const CapDescent::Result result = CapDescent(corners).descend(start, everywhere(term), 1, 0.0);
     const Eigen::VectorXd moves = movesOf(cap, corners.freeNodes(), start, result.points);
     EXPECT_GT(expected.norm(), 0.1);
@@ -207,7 +207,8 @@ TEST(CapDescent, GradientIsThatOfDifferences)
   };
   const Differences lengths(cap, corners.freeNodes(), start, squaredLengths, 0.5);
   const Differences differences(cap, corners.freeNodes(), start, distorted, 1e-4);
-  const Eigen::VectorXd expected = -(Stiff * lengths.hessian).ldlt().solve(differences.gradient);
+  const Eigen::VectorXd expected =
+    -test::denseSolution(Stiff * lengths.hessian, differences.gradient);
   const CapDescent::Result result = CapDescent(corners).descend(start, everywhere(stiff), 1, 0.0);
   const Eigen::VectorXd moves = movesOf(cap, corners.freeNodes(), start, result.points);
   EXPECT_LT((moves - expected).norm(), 1e-5 * expected.norm());
@@ -343,7 +344,7 @@ TEST(CapDescent, EndsWhereDifferencesVanish)
   const Differences before(cap, corners.freeNodes(), start, distorted, 1e-4);
   const Differences after(cap, corners.freeNodes(), result.points, distorted, 1e-4);
   EXPECT_LT(after.gradient.norm(), 1e-6 * before.gradient.norm());
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(after.hessian).eigenvalues()[0], 0.0);
+  EXPECT_GT(test::eigenvalues(after.hessian)[0], 0.0);
   EXPECT_NEAR(result.after, cap.sum(result.points, distorted), 1e-12 * result.after);
 }
 

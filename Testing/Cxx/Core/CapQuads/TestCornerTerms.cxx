@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/CapQuads/CornerTerms.h"
+#include "Support/DenseTruth.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,8 +34,8 @@ void expectDerivatives(const std::function<CornerTerm(const Eigen::Matrix2d&)>& 
       (term(edges + h * direction).value - term(edges - h * direction).value) / (2.0 * h);
     EXPECT_NEAR(at.gradient.cwiseProduct(direction).sum(), difference,
       1e-6 * (1.0 + at.gradient.norm() * direction.norm()));
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(at.curvature);
-    EXPECT_GE(eigen.eigenvalues().minCoeff(), -1e-10 * (1.0 + eigen.eigenvalues().maxCoeff()));
+    const Eigen::VectorXd bends = test::eigenvalues(at.curvature);
+    EXPECT_GE(bends.minCoeff(), -1e-10 * (1.0 + bends.maxCoeff()));
   }
   EXPECT_GT(inverted, 50);
 }
@@ -127,8 +127,8 @@ TEST(CornerTerms, HexJacobianMatchesDifferences)
       (term(edges + h * direction).value - term(edges - h * direction).value) / (2.0 * h);
     EXPECT_NEAR(at.gradient.cwiseProduct(direction).sum(), difference,
       1e-6 * (1.0 + at.gradient.norm() * direction.norm()));
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(at.curvature);
-    EXPECT_GE(eigen.eigenvalues().minCoeff(), -1e-10 * (1.0 + eigen.eigenvalues().maxCoeff()));
+    const Eigen::VectorXd bends = test::eigenvalues(at.curvature);
+    EXPECT_GE(bends.minCoeff(), -1e-10 * (1.0 + bends.maxCoeff()));
 
     const Eigen::Vector3d a = edges.col(0);
     const Eigen::Vector3d b = edges.col(1);

@@ -5,6 +5,7 @@
 #include "Core/Hexahedra/HexQuality.h"
 #include "Core/Interior/SweptHexes.h"
 #include "Core/Solvers/PrismSolver.h"
+#include "Support/DenseTruth.h"
 #include "Support/InteriorTests.h"
 
 namespace TestBlendInterior
@@ -64,7 +65,7 @@ TEST(BlendInterior, CorrectionIsTheHarmonicExtensionOfTheBoundaryError)
   Eigen::MatrixXd affine(boundary.rings[3].rows(), 3);
   affine << Eigen::VectorXd::Ones(affine.rows()), boundary.rings[3].leftCols<2>();
   Eigen::VectorXd wave = (5 * affine.col(1) + 4 * affine.col(2)).array().sin() * 0.01;
-  wave -= affine * affine.colPivHouseholderQr().solve(wave);
+  wave -= affine * test::leastSquaresSolution(affine, wave);
   for (Index j = 0; j < wave.size(); ++j)
   {
     shift(3 * n + boundary.nodes[static_cast<std::size_t>(j)], 0) = wave[j];

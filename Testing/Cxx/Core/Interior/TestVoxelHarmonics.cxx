@@ -5,6 +5,7 @@
 #include "Core/Solvers/PrismSolver.h"
 #include "Core/Solvers/QuadLaplacian.h"
 #include "Support/CageTests.h"
+#include "Support/DenseTruth.h"
 
 #include <sstream>
 
@@ -117,7 +118,7 @@ struct CoarseCage
       edges << (corners.row(1) - corners.row(0)).transpose(),
         (corners.row(2) - corners.row(0)).transpose();
       const Eigen::Vector3d offset = (point - corners.row(0)).transpose();
-      const Eigen::Vector2d st = edges.colPivHouseholderQr().solve(offset);
+      const Eigen::Vector2d st = test::leastSquaresSolution(edges, offset);
       const Eigen::RowVector3d weights(1 - st.sum(), st[0], st[1]);
       const double inside = weights.minCoeff() - 1e3 * (edges * st - offset).norm();
       if (inside > best)

@@ -2,9 +2,8 @@
 // Against a dense factorisation.
 #include "Core/Solvers/ConjugateGradients.h"
 
+#include "Support/DenseTruth.h"
 #include "Support/LentThreads.h"
-
-#include <Eigen/Dense>
 
 namespace TestConjugateGradients
 {
@@ -80,7 +79,7 @@ TEST(ConjugateGradients, ReachTheSolution)
 {
   const SparseMatrix matrix = springs(12);
   const Eigen::VectorXd b = randomVector(matrix.rows());
-  const Eigen::VectorXd truth = Eigen::MatrixXd(matrix).llt().solve(b);
+  const Eigen::VectorXd truth = test::denseSolution(matrix, b);
   const Eigen::VectorXd x = conjugateGradients(matrix, b, 1000, 1e-12);
   EXPECT_LT((x - truth).norm(), 1e-9 * truth.norm());
 }

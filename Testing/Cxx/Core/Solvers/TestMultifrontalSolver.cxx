@@ -4,9 +4,9 @@
 #include "Core/Solvers/SurfaceLaplacian.h"
 
 #include "Support/CapMeshes.h"
+#include "Support/DenseTruth.h"
 #include "Support/LentThreads.h"
 
-#include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 
@@ -161,13 +161,11 @@ TEST(MultifrontalSolver, CholeskyEqualsADenseSolve)
   {
     SCOPED_TRACE(name);
     const Eigen::MatrixXd right = randomMatrix(matrix.rows(), 3, 1);
-    EXPECT_LT(difference(
-                solved(Kind::Cholesky, matrix, right), Eigen::MatrixXd(matrix).ldlt().solve(right)),
-      1e-12);
+    EXPECT_LT(
+      difference(solved(Kind::Cholesky, matrix, right), test::denseSolution(matrix, right)), 1e-12);
     // LU takes symmetric matrices as well.
     EXPECT_LT(
-      difference(solved(Kind::LU, matrix, right), Eigen::MatrixXd(matrix).ldlt().solve(right)),
-      1e-12);
+      difference(solved(Kind::LU, matrix, right), test::denseSolution(matrix, right)), 1e-12);
   }
 }
 
@@ -231,8 +229,7 @@ TEST(MultifrontalSolver, LUEqualsADenseSolveOnMeanValueLaplacians)
       (Eigen::MatrixXd(matrix) - Eigen::MatrixXd(matrix.transpose())).norm(), 0.01 * matrix.norm());
     const Eigen::MatrixXd right = randomMatrix(matrix.rows(), 3, 1);
     EXPECT_LT(
-      difference(solved(Kind::LU, matrix, right), Eigen::MatrixXd(matrix).fullPivLu().solve(right)),
-      1e-11);
+      difference(solved(Kind::LU, matrix, right), test::denseSolution(matrix, right)), 1e-11);
   }
 }
 
@@ -265,7 +262,7 @@ TEST(MultifrontalSolver, LUPivotsWithinAPart)
   }
   matrix.makeCompressed();
   const Eigen::MatrixXd right = randomMatrix(8, 2, 1);
-  EXPECT_LT(difference(solved(Kind::LU, matrix, right), dense.fullPivLu().solve(right)), 1e-11);
+  EXPECT_LT(difference(solved(Kind::LU, matrix, right), test::denseSolution(dense, right)), 1e-11);
 }
 
 TEST(MultifrontalSolver, OnePatternManyMatrices)
@@ -286,8 +283,7 @@ TEST(MultifrontalSolver, OnePatternManyMatrices)
         shifted(hexsweep::cotangentLaplacian(other.points, other.triangles), 1.0), part })
     {
       solver.factorize(matrix);
-      EXPECT_LT(
-        difference(solver.solve(right), Eigen::MatrixXd(matrix).fullPivLu().solve(right)), 1e-10);
+      EXPECT_LT(difference(solver.solve(right), test::denseSolution(matrix, right)), 1e-10);
     }
   }
 }
@@ -342,7 +338,7 @@ TEST(MultifrontalSolver, BlocksOfRowsAreOrderedAsOne)
   const SparseMatrix matrix =
     inPairs(shifted(hexsweep::cotangentLaplacian(mesh.points, mesh.triangles), 0.5));
   const Eigen::MatrixXd right = randomMatrix(matrix.rows(), 2, 7);
-  const Eigen::MatrixXd truth = Eigen::MatrixXd(matrix).ldlt().solve(right);
+  const Eigen::MatrixXd truth = test::denseSolution(matrix, right);
   for (const hexsweep::Points& places : { hexsweep::Points(0, 3), mesh.points })
   {
     MultifrontalSolver solver(matrix, Kind::Cholesky, places, 2);

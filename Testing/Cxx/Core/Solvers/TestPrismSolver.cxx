@@ -4,9 +4,9 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Surfaces/SurfaceTopology.h"
+#include "Support/DenseTruth.h"
 #include "Support/SweepMeshes.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,7 +131,7 @@ Points solveInThreeDimensions(const Points& cap, const Quads& quads, const Eigen
       load.row(i) = values.row(i);
     }
   }
-  return stiffness.partialPivLu().solve(load);
+  return test::denseSolution(stiffness, load);
 }
 
 /// Zero on the inner nodes of layers 0 and L.

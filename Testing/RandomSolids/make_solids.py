@@ -109,6 +109,9 @@ def attempt(folder, family, seed, number):
     target = faces_on(points, triangles, faces, solid.target)
     if not source or not target or set(source) & set(target):
         raise ValueError("a cap is missing")
+    corners = [set(triangles[np.isin(faces, cap)].ravel()) for cap in (source, target)]
+    if corners[0] & corners[1]:
+        raise ValueError("the caps touch, there is no side between them")
     if len(triangles) > 40000:
         raise ValueError("too many triangles")
     write_vtu(folder / "solid.vtu", scale * points, triangles, faces)

@@ -60,6 +60,23 @@ double closedLength(const PointsRef& polygon)
   return reachedLengths(polygon).back();
 }
 
+Eigen::RowVector3d nearestOnChain(const PointsRef& chain, const Eigen::RowVector3d& place)
+{
+  Eigen::RowVector3d nearest = chain.row(0);
+  for (Index i = 0; i + 1 < chain.rows(); ++i)
+  {
+    const Eigen::RowVector3d way = chain.row(i + 1) - chain.row(i);
+    const double squared = way.squaredNorm();
+    const double along = squared > 0.0 ? (place - chain.row(i)).dot(way) / squared : 0.0;
+    const Eigen::RowVector3d here = chain.row(i) + std::clamp(along, 0.0, 1.0) * way;
+    if ((here - place).squaredNorm() < (nearest - place).squaredNorm())
+    {
+      nearest = here;
+    }
+  }
+  return nearest;
+}
+
 std::size_t longestLoop(const PointsRef& points, const std::vector<Loop>& loops)
 {
   const auto longest =

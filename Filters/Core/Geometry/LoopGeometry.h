@@ -27,6 +27,9 @@ std::vector<double> reachedLengths(const PointsRef& polygon);
 /// Length of a polygon, the edge from its last node to the first one included.
 double closedLength(const PointsRef& polygon);
 
+/// The point of an open chain that is nearest to a place. @param chain n x 3, n >= 1.
+Eigen::RowVector3d nearestOnChain(const PointsRef& chain, const Eigen::RowVector3d& place);
+
 /// Number of the longest loop, of several the first one. @param loops at least one.
 std::size_t longestLoop(const PointsRef& points, const std::vector<Loop>& loops);
 

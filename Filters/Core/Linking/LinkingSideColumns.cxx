@@ -456,11 +456,15 @@ SideTubeMesh LinkingSideColumns::mesh(const std::vector<double>& fractions) cons
     const Index place = (j + static_cast<Index>(this->Begin)) % n;
     return this->Reversed ? n - 1 - place : place;
   };
-  result.held.resize(static_cast<std::size_t>(n));
+  result.edges.resize(static_cast<std::size_t>(n));
   for (Index j = 0; j < n; ++j)
   {
     const std::size_t column = static_cast<std::size_t>(j);
-    result.held[static_cast<std::size_t>(given(j))] = this->Edge[column] >= 0;
+    if (this->Edge[column] >= 0)
+    {
+      result.edges[static_cast<std::size_t>(given(j))] = loopPoints(this->Strip->surface.points,
+        this->Strip->columns[static_cast<std::size_t>(this->Edge[column])].points);
+    }
     const bool isMeshed = keepsPatches && this->Meshed.columns[column].rows() > 0;
     for (Index k = 0; k <= layers; ++k)
     {

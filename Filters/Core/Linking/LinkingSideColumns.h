@@ -25,7 +25,8 @@ struct SideTubeMesh
   /// L n values: entry k n + j is the row of SideTube::surface.triangles that the middle of the
   /// quad between columns j and j + 1, rings k and k + 1 lies on.
   std::vector<Index> quadTriangle;
-  std::vector<bool> held; ///< one a ring node: whether the column is a CAD edge
+  /// One a ring node: the CAD edge that the column is, from source to target; no rows: none.
+  std::vector<Points> edges;
 };
 
 /**

@@ -241,7 +241,7 @@ void layRings(const std::deque<Columns>& columns, const std::vector<double>& fra
     const SideTubeMesh& side = meshes[l];
     const Index n = columns[l].size();
     points.middleRows(row, side.nodes.rows()) = side.nodes;
-    result.held.insert(result.held.end(), side.held.begin(), side.held.end());
+    result.edges.insert(result.edges.end(), side.edges.begin(), side.edges.end());
     for (Index k = 0; k <= layers; ++k)
     {
       result.nodeRing.insert(result.nodeRing.end(), at(n), k);

@@ -35,9 +35,9 @@ struct LinkingMesh
   std::vector<Index> quadTriangle; ///< row of that side's triangles below the quad's middle
   std::vector<Index> quadLayer;
   std::vector<Index> nodeRing; ///< 0 ... layers
-  std::vector<Index>
-    sourcePoint;          ///< of each node: the point of the quads that its column begins at
-  std::vector<bool> held; ///< one a column, loop after loop: whether it is a CAD edge
+  /// Of each node: the point of the quads that its column begins at.
+  std::vector<Index> sourcePoint;
+  std::vector<Points> edges; ///< one a column, loop after loop, see SideTubeMesh
   double meanColumnLength = 0.0;
   Index keptEdges = 0;                         ///< columns that are CAD edges
   std::vector<Eigen::RowVector3d> lostEdges;   ///< see LinkingSideColumns

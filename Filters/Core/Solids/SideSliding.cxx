@@ -3,6 +3,7 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
+#include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/SurfaceSearch.h"
 #include "Core/Interior/BlendInterior.h"
 #include "Core/Interior/SideSlides.h"
@@ -91,11 +92,14 @@ std::optional<SolidCage> slideCageSides(const SolidCageInput& input, const Solid
   }
   const std::vector<Index> sides = sidesOfRows(cage);
   const NearestOnSide nearest = [&](Index row, const Eigen::RowVector3d& place) {
-    return searches[at(sides[at(row)])].project(place, -1).point;
+    const Points& edge = cage.linking.edges[at(row)];
+    return edge.rows() > 0 ? nearestOnChain(edge, place)
+                           : searches[at(sides[at(row)])].project(place, -1).point;
   };
   const Points filled = blendInterior(cage, progressPart(progress, 0.0, 0.1), parallelFor);
-  const SlidSides slid = slideSides(cage, filled, cage.linking.held, nearest, PoorAtSides,
-    parallelFor, progressPart(progress, 0.1, 0.6));
+  const std::vector<bool> allMove(sides.size(), false);
+  const SlidSides slid = slideSides(
+    cage, filled, allMove, nearest, PoorAtSides, parallelFor, progressPart(progress, 0.1, 0.6));
   if (slid.least <= 0.0 || slid.least == 1.0)
   {
     return std::nullopt;

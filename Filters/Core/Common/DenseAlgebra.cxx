@@ -29,18 +29,25 @@ Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixX
 
 Eigen::Matrix3d leastRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
-  constexpr double Opposite = 1e-12; // of 1 + cosine
-  const Eigen::Vector3d a = from.normalized();
-  const Eigen::Vector3d b = to.normalized();
-  const double cosine = a.dot(b);
-  if (1.0 + cosine < Opposite)
+  const Eigen::Vector3d a = from.stableNormalized();
+  const Eigen::Vector3d b = to.stableNormalized();
+  Eigen::Vector3d bisector = a + b;
+  const double length = bisector.norm();
+  if (length < 1.0)
   {
-    const Eigen::Vector3d axis = a.unitOrthogonal();
-    return 2.0 * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+    // Nearly opposite: the sum has lost digits. Its direction is known from its length, what is
+    // left only chooses among rotations that are equally good.
+    constexpr double Lost = 1e-15;
+    const Eigen::Vector3d across = bisector - a.dot(bisector) * a;
+    const Eigen::Vector3d axis =
+      across.norm() > Lost ? Eigen::Vector3d(across.normalized()) : a.unitOrthogonal();
+    const double half = 0.5 * length; // cosine of half the angle
+    bisector = std::sqrt(1.0 - half * half) * axis + half * a;
   }
-  const Eigen::Vector3d axis = a.cross(b);
-  Eigen::Matrix3d cross;
-  cross << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
-  return cosine * Eigen::Matrix3d::Identity() + cross + axis * axis.transpose() / (1.0 + cosine);
+  // Half a turn about a, and half a turn about the bisector: orthogonal however close they are.
+  const auto halfTurn = [](const Eigen::Vector3d& axis) -> Eigen::Matrix3d {
+    return 2.0 * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+  };
+  return halfTurn(bisector.normalized()) * halfTurn(a);
 }
 }

@@ -203,7 +203,7 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
     sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
     settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
-    settings.weights, settings.improvement, sized.quads.imprinted, {}, askingFor(progress) };
+    settings.weights, settings.improvement, sized.quads.imprinted, {}, 1.0, askingFor(progress) };
   return settings.hexes.ensureValid
     ? makeUnhinderedCage(input, askingFor(progress), progress)
     : makeSolidCage(input, progress);

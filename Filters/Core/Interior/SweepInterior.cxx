@@ -29,6 +29,8 @@ constexpr double ManyBad = 0.0025;
 constexpr double LeastManyBad = 50.0;
 /// Scaled Jacobian up to which whole patches are moved: more is seldom worth their time.
 constexpr double Enough = 0.4;
+/// Scaled Jacobian below which a mesh is no reason to leave its rivals untried.
+constexpr double Poor = 0.1;
 /// Of patches and of single nodes, at the most.
 constexpr int Turns = 2;
 constexpr const char* RaisedName = " + raised minimum";
@@ -51,6 +53,11 @@ struct Candidate
   {
     return this->curable == 0 &&
       this->quality.minScaledJacobian >= (1.0 - Rounding) * this->fixed.floor;
+  }
+  /// Whether it is so far from what the boundary allows that a rival may well be better.
+  bool isPoor() const
+  {
+    return this->quality.minScaledJacobian < std::min(Poor, 0.5 * this->fixed.floor);
   }
   /// As a start: the minimum can be raised later and few bad hexahedra cured, the mean grows
   /// hardly.
@@ -140,8 +147,8 @@ public:
   /**
    * Makes a start and its rivals and betters them, the most promising first, until one has all that
    * the boundary allows. Where much is to be untangled in all of them those that would be next are
-   * rivals, too. Of the others only those are looked at that are certified as they are,
-   * once there is one without a hexahedron that can be cured.
+   * rivals, too. Of the others only those are looked at that are certified as they are, once there
+   * is one without a hexahedron that can be cured and it is not poor.
    *
    * @param first moves on to the start that is next.
    * @param mustSucceed whether a failure of the first is the caller's to know.
@@ -159,7 +166,7 @@ public:
     {
       const Progress part = progressPart(progress, from, from + width);
       from += width;
-      if (done && candidate.curable > 0)
+      if (done && candidate.curable > 0 && !this->Best->isPoor())
       {
         continue;
       }

@@ -110,6 +110,8 @@ public:
   const std::vector<Eigen::RowVector3d>& lostEdges() const { return this->LostEdges; }
   /// Corners of the target loop for which there is no column left.
   const std::vector<Eigen::RowVector3d>& lostCorners() const { return this->LostCorners; }
+  /// Whether the side is ruled but for some steps, see ruledShape().
+  bool hasSteps() const { return this->Strip->hasSteps; }
   /// Triangles of the side that the map to the strip flips; places near them may be inexact.
   Index flipped() const { return this->Strip->flipped; }
 

@@ -346,6 +346,7 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
     meshedLayers = std::max(meshedLayers, side.meshedLayers());
     result.keptEdges += side.keptEdges();
     result.flipped += side.flipped();
+    result.hasSteps = result.hasSteps || side.hasSteps();
     result.lostEdges.insert(
       result.lostEdges.end(), side.lostEdges().begin(), side.lostEdges().end());
     result.lostCorners.insert(

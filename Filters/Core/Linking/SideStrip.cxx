@@ -6,6 +6,7 @@
 #include "Core/Common/StandardIndex.h"
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Geometry/PlaneTriangleSearch.h"
+#include "Core/Linking/RuledShape.h"
 #include "Core/Linking/SideCut.h"
 #include "Core/Linking/SideFeatures.h"
 #include "Core/Linking/SteadyColumns.h"
@@ -180,12 +181,23 @@ PeriodicSystem periodicSystem(const CutTube& cut, const SparseMatrix& laplacian,
   return { transposed * laplacian * glue, -(transposed * (laplacian * offset)) };
 }
 
+/// Rows of the points that copies are copies of.
+Points copied(const Points& points, const CutTube& cut)
+{
+  Points copies(cut.mesh.points.rows(), 3);
+  for (Index i = 0; i < copies.rows(); ++i)
+  {
+    copies.row(i) = points.row(cut.original[at(i)]);
+  }
+  return copies;
+}
+
 /// How far the target loop is to be turned so that it fits the conjugate of u.
 double conjugateTurn(const SideStrip& strip, const CutTube& cut, const std::vector<double>& targetV)
 {
   const Index n = strip.surface.points.rows();
   const PeriodicSystem system = periodicSystem(
-    cut, symmetricLaplacian(cut.mesh.points, cut.mesh.triangles, Weights::Intrinsic), n);
+    cut, symmetricLaplacian(copied(strip.shape, cut), cut.mesh.triangles, Weights::Intrinsic), n);
   std::vector<bool> fixed(at(n), false);
   fixed[at(strip.source.front())] = true;
   const Eigen::VectorXd v = DirichletSolver(system.matrix, fixed, strip.surface.points)
@@ -214,7 +226,8 @@ PlanePoints solveStrip(const SideStrip& strip, const CutTube& cut, Weights weigh
 {
   const Index n = cut.mesh.points.rows();
   const Index points = strip.surface.points.rows();
-  const SparseMatrix laplacian = surfaceLaplacian(cut.mesh.points, cut.mesh.triangles, weights);
+  const SparseMatrix laplacian =
+    surfaceLaplacian(copied(strip.shape, cut), cut.mesh.triangles, weights);
   // Per copy: v and u where they are given.
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, 2);
   std::vector<bool> fixed(at(n), false);
@@ -299,6 +312,7 @@ SideStrip refinedSide(const SideTube& side, double longestEdge)
   halved = halveChords(strip.surface, [&](Index a, Index b) { return lines.isChord(a, b); });
   strip.surface = std::move(halved.mesh);
   strip.triangleOrigin = originsThrough(halved.triangleOrigin, strip.triangleOrigin);
+  strip.shape = strip.surface.points;
   return strip;
 }
 
@@ -382,6 +396,41 @@ CutTube fillStrip(SideStrip& strip)
   return cut;
 }
 
+/// Makes the steps of a side that is ruled otherwise flatter in the metric, see ruledShape().
+void flattenSteps(SideStrip& strip, double longestEdge, double stepDepth)
+{
+  SideStrip free = strip;
+  free.columns.clear();
+  const CutTube cut = cutOpen(free);
+  placeFrame(free, cut);
+  constexpr double Negligible = 0.1; // of the edges that the map is made of
+  std::optional<RuledShape> shape =
+    ruledShape(strip.surface, { loopPoints(strip.surface.points, free.source), free.sourceV },
+      { loopPoints(strip.surface.points, free.target), free.targetV }, Negligible * longestEdge,
+      stepDepth);
+  strip.hasSteps = shape.has_value();
+  if (shape && stepDepth < 1.0)
+  {
+    strip.shape = std::move(shape->points);
+    // An edge that goes round a step, or over it, is what columns are not to follow.
+    const double aside =
+      Negligible * longestEdge / closedLength(loopPoints(strip.surface.points, strip.source));
+    const auto leavesItsLine = [&](const StripColumn& column) {
+      const double line = shape->v[at(column.points.front())];
+      return std::any_of(column.points.begin(), column.points.end(), [&](Index point) {
+        const double off = shape->v[at(point)] - line;
+        return shape->onStep[at(point)] || std::abs(off - std::round(off)) > aside;
+      });
+    };
+    strip.columns.erase(std::remove_if(strip.columns.begin(), strip.columns.end(), leavesItsLine),
+      strip.columns.end());
+    for (StripColumn& column : strip.columns)
+    {
+      column = columnOf(std::move(column.points), strip.shape);
+    }
+  }
+}
+
 /// (v, u) of each point of the side, without any CAD edge.
 PlanePoints freePlaces(SideStrip strip)
 {
@@ -399,6 +448,7 @@ PlanePoints freePlaces(SideStrip strip)
 SideStrip mapSideToStrip(const SideTube& side, double longestEdge, EdgeHeights heights)
 {
   SideStrip strip = refinedSide(side, longestEdge);
+  flattenSteps(strip, longestEdge, side.stepDepth);
   if (!strip.columns.empty())
   {
     const PlanePoints free = freePlaces(strip);
@@ -417,21 +467,7 @@ SideStrip mapSideToStrip(const SideTube& side, double longestEdge, EdgeHeights h
 
 Eigen::RowVector3d pointOnTarget(const SideStrip& strip, double v)
 {
-  const std::vector<double>& values = strip.targetV;
-  const std::size_t n = values.size();
-  double turned = v - std::floor(v - values.front());
-  turned -= turned >= values.front() + 1.0 ? 1.0 : 0.0;
-  const std::size_t after = static_cast<std::size_t>(
-    std::upper_bound(values.begin(), values.end(), turned) - values.begin());
-  const std::size_t edge = after == 0 ? 0 : after - 1;
-  const double next = edge + 1 < n ? values[edge + 1] : values[0] + 1.0;
-  const double fraction =
-    std::min(1.0, std::max(0.0, (turned - values[edge]) / (next - values[edge])));
-  const Eigen::RowVector3d a = strip.surface.points.row(strip.target[edge]);
-  const Eigen::RowVector3d b = strip.surface.points.row(strip.target[(edge + 1) % n]);
-  // Where the place is a point of the loop to rounding, it is that point.
-  constexpr double Rounding = 1e-9;
-  return fraction < Rounding ? a : fraction > 1.0 - Rounding ? b : a + fraction * (b - a);
+  return pointOnLoop({ loopPoints(strip.surface.points, strip.target), strip.targetV }, v);
 }
 
 StripSearch::StripSearch(const SideStrip& strip)

@@ -26,6 +26,8 @@ struct SideTube
   /// Parts that are meshed already, with structured quads from the source to the target loop, in
   /// the same place as their triangles in `surface`.
   std::vector<QuadMesh> patches;
+  double stepDepth =
+    1.0; ///< what the metric of the strip has of the depth of steps, see ruledShape()
 };
 
 /**
@@ -39,7 +41,9 @@ struct SideTube
  */
 struct SideStrip
 {
-  TriangleMesh surface;              ///< the side, long edges and chords halved; same shape
+  TriangleMesh surface;  ///< the side, long edges and chords halved; same shape
+  Points shape;          ///< of the surface's points: in its metric the map is harmonic
+  bool hasSteps = false; ///< whether the side is ruled but for some steps, see ruledShape()
   std::vector<Index> triangleOrigin; ///< row of the given triangles
   Loop source;                       ///< the way v rises
   Loop target;                       ///< the way v rises

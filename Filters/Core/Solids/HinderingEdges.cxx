@@ -9,6 +9,7 @@
 #include "Core/Solids/SideSliding.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -23,6 +24,13 @@ constexpr double LeftWithout = 0.5;
 /// Where the least scaled Jacobian is lower when all is done, CAD edges are given up for more.
 constexpr double PoorMesh = 0.25;
 constexpr double WorthAnEdge = 1.5;
+/// What is tried of the depth of steps where meshes are poor: the next while the one before gains
+/// so much, and not more than twice as much as there was.
+constexpr double StepDepths[] = { 0.8, 0.4 };
+constexpr double WorthOtherColumns = 1.1;
+constexpr double WorthNoMore = 2.0;
+/// Part of the hexahedra: to untangle more takes longer than all the rest.
+constexpr double MostTangled = 0.005;
 
 /// A cage as blendInterior() fills it, before any untangling.
 struct CageForecast
@@ -82,13 +90,29 @@ double leastInTheEnd(
   return leastMerit(interior);
 }
 
-/// Whether a cage without CAD edges comes out so much better that these are worth less.
-bool isWorthItsEdges(const SolidCage& freed, const SolidCage& kept, const ParallelFor& parallelFor,
-  const Progress& progress)
+/// A cage, and the least scaled Jacobian of what it is filled with once that was asked for.
+struct JudgedCage
 {
-  const double with = leastInTheEnd(kept, parallelFor, progressPart(progress, 0.0, 0.5));
+  SolidCage cage;
+  std::optional<double> known;
+
+  double least(const ParallelFor& parallelFor, const Progress& progress)
+  {
+    if (!this->known)
+    {
+      this->known = leastInTheEnd(this->cage, parallelFor, progress);
+    }
+    return *this->known;
+  }
+};
+
+/// Whether a cage without CAD edges comes out so much better that these are worth less.
+bool isWorthItsEdges(
+  JudgedCage& freed, JudgedCage& kept, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const double with = kept.least(parallelFor, progressPart(progress, 0.0, 0.5));
   return with < PoorMesh &&
-    leastInTheEnd(freed, parallelFor, progressPart(progress, 0.5, 1.0)) > WorthAnEdge * with;
+    freed.least(parallelFor, progressPart(progress, 0.5, 1.0)) > WorthAnEdge * with;
 }
 
 std::vector<Index> facesOfSides(const SolidCageInput& input)
@@ -105,17 +129,18 @@ std::vector<Index> facesOfSides(const SolidCageInput& input)
   return facesOfTriangles(input.solid, triangles);
 }
 
-SolidCage cageWithItsEdgesOrWithout(
-  SolidCageInput input, const ParallelFor& parallelFor, const Progress& progress)
+/// @param input whose sides are free afterwards where CAD edges were given up.
+JudgedCage cageWithItsEdgesOrWithout(
+  SolidCageInput& input, const ParallelFor& parallelFor, const Progress& progress)
 {
-  SolidCage kept = makeSolidCage(input, progressPart(progress, 0.0, 0.5));
-  if (kept.isRuled || kept.linking.keptEdges == 0)
+  JudgedCage kept{ makeSolidCage(input, progressPart(progress, 0.0, 0.5)), {} };
+  if (kept.cage.isRuled || kept.cage.leftBorders || kept.cage.linking.keptEdges == 0)
   {
     return kept;
   }
   const std::size_t sides = input.topology.sides.size();
   const CageForecast with =
-    forecastCage(kept, sides, parallelFor, progressPart(progress, 0.5, 0.6));
+    forecastCage(kept.cage, sides, parallelFor, progressPart(progress, 0.5, 0.6));
   if (std::find(with.hindered.begin(), with.hindered.end(), true) == with.hindered.end())
   {
     return kept;
@@ -123,20 +148,21 @@ SolidCage cageWithItsEdgesOrWithout(
   input.freeSides = with.hindered;
   try
   {
-    SolidCage freed = makeSolidCage(input, progressPart(progress, 0.6, 0.7));
-    if (freed.linking.keptEdges >= kept.linking.keptEdges)
+    JudgedCage freed{ makeSolidCage(input, progressPart(progress, 0.6, 0.7)), {} };
+    if (freed.cage.linking.keptEdges >= kept.cage.linking.keptEdges)
     {
+      input.freeSides.clear();
       return kept;
     }
     const CageForecast without =
-      forecastCage(freed, sides, parallelFor, progressPart(progress, 0.7, 0.75));
+      forecastCage(freed.cage, sides, parallelFor, progressPart(progress, 0.7, 0.75));
     const double bad = static_cast<double>(with.notCertified);
     const double left = static_cast<double>(without.notCertified);
     const bool isWorse = LeftWithout * left > bad;
     if (left < LeftWithout * bad ||
       (!isWorse && isWorthItsEdges(freed, kept, parallelFor, progressPart(progress, 0.75, 1.0))))
     {
-      freed.freedSides = facesOfSides(input);
+      freed.cage.freedSides = facesOfSides(input);
       return freed;
     }
   }
@@ -147,22 +173,76 @@ SolidCage cageWithItsEdgesOrWithout(
   catch (const SolverFailure&)
   {
   }
+  input.freeSides.clear();
   return kept;
+}
+
+/// Lays columns in the metric of flatter steps, as long as hexahedra are poor and gain by that.
+void flattenSteps(
+  SolidCageInput input, const ParallelFor& parallelFor, const Progress& progress, JudgedCage& best)
+{
+  constexpr double Share = 1.0 / static_cast<double>(1 + std::size(StepDepths));
+  double least = best.least(parallelFor, progressPart(progress, 0.0, Share));
+  double done = Share;
+  bool goesOn = true;
+  for (std::size_t i = 0; goesOn && least < PoorMesh && i < std::size(StepDepths); ++i)
+  {
+    goesOn = false;
+    input.stepDepth = StepDepths[i];
+    try
+    {
+      JudgedCage other{ makeSolidCage(input, progressPart(progress, done, done + 0.5 * Share)),
+        {} };
+      other.cage.freedSides = best.cage.freedSides;
+      const CageForecast forecast = forecastCage(other.cage, input.topology.sides.size(),
+        parallelFor, progressPart(progress, done + 0.5 * Share, done + 0.6 * Share));
+      const Index hexes = other.cage.quads.rows() * other.cage.boundary.numberOfLayers();
+      if (static_cast<double>(forecast.notCertified) > MostTangled * static_cast<double>(hexes))
+      {
+        return;
+      }
+      const double found =
+        other.least(parallelFor, progressPart(progress, done + 0.6 * Share, done + Share));
+      if (found > 0.0 && found > WorthOtherColumns * least)
+      {
+        goesOn = found < WorthNoMore * least;
+        best = std::move(other);
+        least = found;
+      }
+    }
+    catch (const InvalidInput&)
+    {
+      // What cannot be meshed with other columns keeps those that it has.
+    }
+    catch (const SolverFailure&)
+    {
+    }
+    done += Share;
+  }
 }
 }
 
 SolidCage makeUnhinderedCage(
-  const SolidCageInput& input, const ParallelFor& parallelFor, const Progress& progress)
+  const SolidCageInput& given, const ParallelFor& parallelFor, const Progress& progress)
 {
-  SolidCage cage = cageWithItsEdgesOrWithout(input, parallelFor, progressPart(progress, 0.0, 0.6));
+  SolidCageInput input = given;
+  JudgedCage best = cageWithItsEdgesOrWithout(input, parallelFor, progressPart(progress, 0.0, 0.4));
+  if (best.cage.leftBorders)
+  {
+    return std::move(best.cage);
+  }
+  if (best.cage.linking.hasSteps && hasSlantedSides(best.cage))
+  {
+    flattenSteps(input, parallelFor, progressPart(progress, 0.4, 0.7), best);
+  }
   std::optional<SolidCage> slid =
-    slideCageSides(input, cage, parallelFor, progressPart(progress, 0.6, 0.7));
+    slideCageSides(input, best.cage, parallelFor, progressPart(progress, 0.7, 0.8));
   if (slid &&
-    leastInTheEnd(*slid, parallelFor, progressPart(progress, 0.7, 0.85)) >
-      leastInTheEnd(cage, parallelFor, progressPart(progress, 0.85, 1.0)))
+    leastInTheEnd(*slid, parallelFor, progressPart(progress, 0.8, 0.9)) >
+      best.least(parallelFor, progressPart(progress, 0.9, 1.0)))
   {
     return *std::move(slid);
   }
-  return cage;
+  return std::move(best.cage);
 }
 }

@@ -20,6 +20,9 @@ namespace hexsweep
  * edges is taken if the other one's least scaled Jacobian is below 0.25 and its own is half as much
  * again.
  *
+ * Where hexahedra are poor and sides have steps (see ruledShape()), cages with columns in the
+ * metric of flatter steps are filled to the end as well, and the one that comes out best is taken.
+ *
  * Then nodes of the sides slide where hexahedra are poor there (slideCageSides()), if the finished
  * hexahedra are better for it.
  *

@@ -35,19 +35,6 @@ std::vector<Index> sidesOfRows(const SolidCage& cage)
   return sides;
 }
 
-double leastSineOf(const RingStack& rings)
-{
-  CornerSines sines;
-  for (std::size_t l = 0; l < rings.loops.size(); ++l)
-  {
-    for (Index k = 0; k < rings.numberOfLayers(); ++k)
-    {
-      sines.add(cornerSines(ringPoints(rings, l, k), ringPoints(rings, l, k + 1)));
-    }
-  }
-  return sines.least;
-}
-
 bool hasPatches(const SolidCageInput& input)
 {
   return std::any_of(input.patches.begin(), input.patches.end(),
@@ -77,11 +64,25 @@ std::vector<bool> takeRings(const Points& filled, SolidCage& cage)
 }
 }
 
+bool hasSlantedSides(const SolidCage& cage)
+{
+  const RingStack& rings = cage.linking.rings;
+  CornerSines sines;
+  for (std::size_t l = 0; l < rings.loops.size(); ++l)
+  {
+    for (Index k = 0; k < rings.numberOfLayers(); ++k)
+    {
+      sines.add(cornerSines(ringPoints(rings, l, k), ringPoints(rings, l, k + 1)));
+    }
+  }
+  return sines.least <= GoodSine;
+}
+
 std::optional<SolidCage> slideCageSides(const SolidCageInput& input, const SolidCage& cage,
   const ParallelFor& parallelFor, const Progress& progress)
 {
   if (cage.isRuled || hasPatches(input) || cage.linking.rings.numberOfLayers() < 2 ||
-    leastSineOf(cage.linking.rings) > GoodSine)
+    !hasSlantedSides(cage))
   {
     return std::nullopt;
   }

@@ -12,11 +12,15 @@
 
 namespace hexsweep
 {
+/// Whether quads of the linking sides have corners that make hexahedra poor whatever is inside.
+bool hasSlantedSides(const SolidCage& cage);
+
 /**
  * Slides nodes of the linking sides along the solid, see slideSides(), where the cage as
  * blendInterior() fills it has hexahedra with a scaled Jacobian below 0.3 at its sides. Taken where
  * the least of these becomes far better than by moves inside alone. Columns that are CAD edges
- * slide along these; sides that are meshed already, in part, and straight columns are left as they are.
+ * slide along these; sides that are meshed already, in part, and straight columns are left as they
+ * are.
  *
  * @param input what the cage was made from.
  * @return the cage with the sides that slid, none where none did. The hexahedra of a finished

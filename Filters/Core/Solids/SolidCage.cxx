@@ -261,8 +261,13 @@ SweepProjection projectWithBorders(
 void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
   const TriangleMesh& target, const Progress& progress, StageClock& stages, SolidCage& cage)
 {
-  cage.linking = meshLinkingSides(input.source.points, cage.loops,
-    solidSides(input.solid, input.topology, input.patches, input.freeSides), input.layers,
+  std::vector<SideTube> sides =
+    solidSides(input.solid, input.topology, input.patches, input.freeSides);
+  for (SideTube& side : sides)
+  {
+    side.stepDepth = input.stepDepth;
+  }
+  cage.linking = meshLinkingSides(input.source.points, cage.loops, sides, input.layers,
     input.matchTolerance, progressPart(progress, 0.0, 0.4), input.parallelFor);
   stages.finish("Linking sides");
   SweepProjectionInput projection;

@@ -33,6 +33,7 @@ struct SolidCageInput
   TriangulationImprovement improvement = TriangulationImprovement::Automatic;
   std::vector<FixedNode> imprinted = {}; ///< see SourceQuads::imprinted
   std::vector<bool> freeSides = {};      ///< see solidSides()
+  double stepDepth = 1.0;                ///< see SideTube
   ParallelFor parallelFor = {};
 };
 

@@ -34,6 +34,23 @@ TEST(LoopGeometry, AnglesByArcLength)
   }
 }
 
+TEST(LoopGeometry, TheNearestPlaceOfAChainIsOnItsSegmentsAndEnds)
+{
+  Points chain(3, 3);
+  chain << 0, 0, 0, 2, 0, 0, 2, 1, 0;
+  const auto nearest = [&](double x, double y) {
+    return hexsweep::nearestOnChain(chain, Eigen::RowVector3d(x, y, 5.0));
+  };
+  EXPECT_EQ(nearest(-1.0, -1.0), Eigen::RowVector3d(0, 0, 0));
+  EXPECT_EQ(nearest(0.5, -1.0), Eigen::RowVector3d(0.5, 0, 0));
+  EXPECT_EQ(nearest(3.0, 0.25), Eigen::RowVector3d(2, 0.25, 0));
+  // The chain is open: nothing leads back.
+  EXPECT_EQ(nearest(1.9, 4.0), Eigen::RowVector3d(2, 1, 0));
+  EXPECT_EQ(nearest(0.5, 0.4), Eigen::RowVector3d(0.5, 0, 0));
+  EXPECT_EQ(hexsweep::nearestOnChain(chain.topRows(1), Eigen::RowVector3d(7, 8, 9)),
+    Eigen::RowVector3d(0, 0, 0));
+}
+
 TEST(LoopGeometry, TheLongestLoopCountsItsClosingEdge)
 {
   Points points(6, 3);

@@ -31,6 +31,10 @@ Eigen::Matrix3d leastRotation(const Eigen::Vector3d& from, const Eigen::Vector3d
 {
   const Eigen::Vector3d a = from.stableNormalized();
   const Eigen::Vector3d b = to.stableNormalized();
+  if (!(a.norm() > 0.0) || !(b.norm() > 0.0))
+  {
+    return Eigen::Matrix3d::Identity();
+  }
   Eigen::Vector3d bisector = a + b;
   const double length = bisector.norm();
   if (length < 1.0)

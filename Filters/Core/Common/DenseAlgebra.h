@@ -31,7 +31,8 @@ Eigen::Matrix2d symmetricRoot(const Eigen::Matrix2d& matrix);
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
 /// The rotation by the least angle that takes one direction to another, as two half
-/// turns; neither needs unit length. One of those by half a turn where they are opposite.
+/// turns; neither needs unit length. One of those by half a turn where they are opposite, none
+/// where one has no length.
 Eigen::Matrix3d leastRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 }
 

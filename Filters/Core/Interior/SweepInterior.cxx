@@ -57,7 +57,8 @@ struct Candidate
   /// Whether it is so far from what the boundary allows that a rival may well be better.
   bool isPoor() const
   {
-    return this->quality.minScaledJacobian < std::min(Poor, 0.5 * this->fixed.floor);
+    return this->fixed.floor > 0.0 &&
+      this->quality.minScaledJacobian < std::min(Poor, 0.5 * this->fixed.floor);
   }
   /// As a start: the minimum can be raised later and few bad hexahedra cured, the mean grows
   /// hardly.

@@ -335,9 +335,11 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
   LinkingMesh result;
   Index meshedLayers = 0;
   const std::vector<double> turns = sideTurns(columns);
+  result.hasSteps.resize(sides.size(), false);
   for (std::size_t l = 0; l < columns.size(); ++l)
   {
     columns[l].turnEnds(turns[l]);
+    result.hasSteps[paired.sideOf[l]] = columns[l].hasSteps();
   }
   levelRingsWhereBetter(columns);
   shareRingsWhereBetter(columns);
@@ -346,7 +348,6 @@ LinkingMesh meshLinkingSides(const PointsRef& quadPoints, const std::vector<Loop
     meshedLayers = std::max(meshedLayers, side.meshedLayers());
     result.keptEdges += side.keptEdges();
     result.flipped += side.flipped();
-    result.hasSteps = result.hasSteps || side.hasSteps();
     result.lostEdges.insert(
       result.lostEdges.end(), side.lostEdges().begin(), side.lostEdges().end());
     result.lostCorners.insert(

@@ -43,7 +43,7 @@ struct LinkingMesh
   std::vector<Eigen::RowVector3d> lostEdges;   ///< see LinkingSideColumns
   std::vector<Eigen::RowVector3d> lostCorners; ///< see LinkingSideColumns
   std::vector<std::string> refusedPatches;     ///< see LinkingSideColumns
-  bool hasSteps = false;                       ///< of a side, see LinkingSideColumns
+  std::vector<bool> hasSteps;                  ///< one a given side, see LinkingSideColumns
   Index flipped = 0;                           ///< see LinkingSideColumns
 };
 

@@ -15,6 +15,13 @@ namespace
 {
 constexpr double MostStepped = 0.5; // of the area
 
+Eigen::RowVector3d pointOnLoop(const PlacedLoop& loop, double v)
+{
+  const LoopPlace place = placeOnLoop(loop.v, v);
+  return place.between(loop.points.row(static_cast<Index>(place.edge)),
+    loop.points.row(static_cast<Index>((place.edge + 1) % loop.v.size())));
+}
+
 struct RuledSurface
 {
   TriangleMesh mesh;
@@ -54,23 +61,28 @@ RuledSurface ruledSurface(const PlacedLoop& source, const PlacedLoop& target)
 }
 }
 
-Eigen::RowVector3d pointOnLoop(const PlacedLoop& loop, double v)
+Eigen::RowVector3d LoopPlace::between(
+  const Eigen::RowVector3d& a, const Eigen::RowVector3d& b) const
 {
-  const std::vector<double>& values = loop.v;
+  return this->fraction == 1.0 ? b : a + this->fraction * (b - a);
+}
+
+LoopPlace placeOnLoop(const std::vector<double>& values, double v)
+{
   const std::size_t n = values.size();
   double turned = v - std::floor(v - values.front());
   turned -= turned >= values.front() + 1.0 ? 1.0 : 0.0;
   const std::size_t after = static_cast<std::size_t>(
     std::upper_bound(values.begin(), values.end(), turned) - values.begin());
-  const std::size_t edge = after == 0 ? 0 : after - 1;
-  const double next = edge + 1 < n ? values[edge + 1] : values[0] + 1.0;
-  const double fraction =
-    std::min(1.0, std::max(0.0, (turned - values[edge]) / (next - values[edge])));
-  const Eigen::RowVector3d a = loop.points.row(static_cast<Index>(edge));
-  const Eigen::RowVector3d b = loop.points.row(static_cast<Index>((edge + 1) % n));
-  // Where the place is a point of the loop to rounding, it is that point.
+  LoopPlace place;
+  place.edge = after == 0 ? 0 : after - 1;
+  const double next = place.edge + 1 < n ? values[place.edge + 1] : values[0] + 1.0;
+  place.fraction =
+    std::min(1.0, std::max(0.0, (turned - values[place.edge]) / (next - values[place.edge])));
   constexpr double Rounding = 1e-9;
-  return fraction < Rounding ? a : fraction > 1.0 - Rounding ? b : a + fraction * (b - a);
+  place.fraction = place.fraction < Rounding ? 0.0 : place.fraction;
+  place.fraction = place.fraction > 1.0 - Rounding ? 1.0 : place.fraction;
+  return place;
 }
 
 std::optional<RuledShape> ruledShape(const TriangleMesh& side, const PlacedLoop& source,
@@ -83,9 +95,11 @@ std::optional<RuledShape> ruledShape(const TriangleMesh& side, const PlacedLoop&
   shape.points.resize(side.points.rows(), 3);
   shape.onStep.resize(at(side.points.rows()));
   shape.v.resize(at(side.points.rows()));
+  Index start = -1;
   for (Index i = 0; i < side.points.rows(); ++i)
   {
-    const TrianglePoint near = search.closest(side.points.row(i));
+    const TrianglePoint near = search.closest(side.points.row(i), start);
+    start = near.triangle; // neighbours have near numbers
     const auto corners = ruled.triangles.row(near.triangle);
     Eigen::RowVector3d base = Eigen::RowVector3d::Zero();
     double v = 0.0;

@@ -20,8 +20,16 @@ struct PlacedLoop
   std::vector<double> v; ///< one a point
 };
 
-/// @return the place of a loop at v, any number, period 1.
-Eigen::RowVector3d pointOnLoop(const PlacedLoop& loop, double v);
+/// A place between point `edge` of a loop and the next one.
+struct LoopPlace
+{
+  std::size_t edge;
+  double fraction; ///< in [0, 1]; 0 or 1 where the place is a point of the loop to rounding
+  Eigen::RowVector3d between(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b) const;
+};
+
+/// @param values v at a loop's points, see PlacedLoop. @param v any number, period 1.
+LoopPlace placeOnLoop(const std::vector<double>& values, double v);
 
 /// Values are one a point of the side.
 struct RuledShape

@@ -467,7 +467,9 @@ SideStrip mapSideToStrip(const SideTube& side, double longestEdge, EdgeHeights h
 
 Eigen::RowVector3d pointOnTarget(const SideStrip& strip, double v)
 {
-  return pointOnLoop({ loopPoints(strip.surface.points, strip.target), strip.targetV }, v);
+  const LoopPlace place = placeOnLoop(strip.targetV, v);
+  return place.between(strip.surface.points.row(strip.target[place.edge]),
+    strip.surface.points.row(strip.target[(place.edge + 1) % strip.target.size()]));
 }
 
 StripSearch::StripSearch(const SideStrip& strip)

@@ -34,10 +34,10 @@ struct SideTube
  * Harmonic map to the strip [0, 1) x [0, 1], periodic in v.
  *
  * u and v are harmonic; v is the fraction of the source loop's length there, CAD edges have a
- * constant v and u by their length (or see EdgeHeights), and v on the target loop goes by length
- * between them. Without CAD edges the target loop is turned as the conjugate of u has it.
- * With boundary values like these a harmonic map to a flat strip is one-to-one where its weights
- * are positive \cite Floater2003OneToOne.
+ * constant v and u by their length in the same metric (or see EdgeHeights), and v on the target
+ * loop goes by length between them. Without CAD edges the target loop is turned as the conjugate of
+ * u has it. With boundary values like these a harmonic map to a flat strip is one-to-one where its
+ * weights are positive \cite Floater2003OneToOne.
  */
 struct SideStrip
 {

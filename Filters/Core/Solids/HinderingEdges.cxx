@@ -86,8 +86,14 @@ double leastInTheEnd(
   std::vector<InteriorStart> starts =
     interiorStarts(InteriorKind::Automatic, cage.isRuled, windingOf(cage.boundary));
   starts.resize(1);
-  const SweepInterior interior = sweepInterior(cage, starts, options, progress);
-  return leastMerit(interior);
+  try
+  {
+    return leastMerit(sweepInterior(cage, starts, options, progress));
+  }
+  catch (const SolverFailure&)
+  {
+    return 0.0;
+  }
 }
 
 /// A cage, and the least scaled Jacobian of what it is filled with once that was asked for.
@@ -115,12 +121,12 @@ bool isWorthItsEdges(
     freed.least(parallelFor, progressPart(progress, 0.5, 1.0)) > WorthAnEdge * with;
 }
 
-std::vector<Index> facesOfSides(const SolidCageInput& input)
+std::vector<Index> facesOfSides(const SolidCageInput& input, const std::vector<bool>& isMeant)
 {
   std::vector<Index> triangles;
   for (std::size_t s = 0; s < input.topology.sides.size(); ++s)
   {
-    if (input.freeSides[s])
+    if (isMeant[s])
     {
       const std::vector<Index>& own = input.topology.sides[s].triangles;
       triangles.insert(triangles.end(), own.begin(), own.end());
@@ -162,7 +168,7 @@ JudgedCage cageWithItsEdgesOrWithout(
     if (left < LeftWithout * bad ||
       (!isWorse && isWorthItsEdges(freed, kept, parallelFor, progressPart(progress, 0.75, 1.0))))
     {
-      freed.cage.freedSides = facesOfSides(input);
+      freed.cage.freedSides = facesOfSides(input, input.freeSides);
       return freed;
     }
   }
@@ -177,12 +183,28 @@ JudgedCage cageWithItsEdgesOrWithout(
   return kept;
 }
 
+/// Whether blendInterior() leaves so little to untangle that the cage is worth filling to the end.
+bool isWorthFilling(const SolidCage& cage, std::size_t sides, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  const Index hexes = cage.quads.rows() * cage.boundary.numberOfLayers();
+  const Index bad = forecastCage(cage, sides, parallelFor, progress).notCertified;
+  return static_cast<double>(bad) <= MostTangled * static_cast<double>(hexes);
+}
+
 /// Lays columns in the metric of flatter steps, as long as hexahedra are poor and gain by that.
 void flattenSteps(
   SolidCageInput input, const ParallelFor& parallelFor, const Progress& progress, JudgedCage& best)
 {
+  const std::size_t sides = input.topology.sides.size();
   constexpr double Share = 1.0 / static_cast<double>(1 + std::size(StepDepths));
-  double least = best.least(parallelFor, progressPart(progress, 0.0, Share));
+  if (!isWorthFilling(best.cage, sides, parallelFor, progressPart(progress, 0.0, 0.1 * Share)))
+  {
+    return;
+  }
+  const double before = best.least(parallelFor, progressPart(progress, 0.1 * Share, Share));
+  const Index edges = best.cage.linking.keptEdges;
+  double least = before;
   double done = Share;
   bool goesOn = true;
   for (std::size_t i = 0; goesOn && least < PoorMesh && i < std::size(StepDepths); ++i)
@@ -193,19 +215,20 @@ void flattenSteps(
     {
       JudgedCage other{ makeSolidCage(input, progressPart(progress, done, done + 0.5 * Share)),
         {} };
-      other.cage.freedSides = best.cage.freedSides;
-      const CageForecast forecast = forecastCage(other.cage, input.topology.sides.size(),
-        parallelFor, progressPart(progress, done + 0.5 * Share, done + 0.6 * Share));
-      const Index hexes = other.cage.quads.rows() * other.cage.boundary.numberOfLayers();
-      if (static_cast<double>(forecast.notCertified) > MostTangled * static_cast<double>(hexes))
+      if (other.cage.leftBorders ||
+        !isWorthFilling(other.cage, sides, parallelFor,
+          progressPart(progress, done + 0.5 * Share, done + 0.6 * Share)))
       {
         return;
       }
       const double found =
         other.least(parallelFor, progressPart(progress, done + 0.6 * Share, done + Share));
-      if (found > 0.0 && found > WorthOtherColumns * least)
+      goesOn = found > before && found < WorthNoMore * before;
+      const bool keepsEdges = other.cage.linking.keptEdges >= edges;
+      if (found > (keepsEdges ? WorthOtherColumns : WorthAnEdge) * before && found > least)
       {
-        goesOn = found < WorthNoMore * least;
+        other.cage.freedSides =
+          keepsEdges ? best.cage.freedSides : facesOfSides(input, other.cage.linking.hasSteps);
         best = std::move(other);
         least = found;
       }
@@ -231,17 +254,20 @@ SolidCage makeUnhinderedCage(
   {
     return std::move(best.cage);
   }
-  if (best.cage.linking.hasSteps && hasSlantedSides(best.cage))
+  const std::vector<bool>& steps = best.cage.linking.hasSteps;
+  if (std::find(steps.begin(), steps.end(), true) != steps.end() && hasSlantedSides(best.cage))
   {
     flattenSteps(input, parallelFor, progressPart(progress, 0.4, 0.7), best);
   }
   std::optional<SolidCage> slid =
     slideCageSides(input, best.cage, parallelFor, progressPart(progress, 0.7, 0.8));
-  if (slid &&
-    leastInTheEnd(*slid, parallelFor, progressPart(progress, 0.8, 0.9)) >
-      best.least(parallelFor, progressPart(progress, 0.9, 1.0)))
+  if (slid)
   {
-    return *std::move(slid);
+    const double with = leastInTheEnd(*slid, parallelFor, progressPart(progress, 0.8, 0.9));
+    if (with > best.least(parallelFor, progressPart(progress, 0.9, 1.0)))
+    {
+      return *std::move(slid);
+    }
   }
   return std::move(best.cage);
 }

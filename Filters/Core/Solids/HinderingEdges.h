@@ -20,8 +20,11 @@ namespace hexsweep
  * edges is taken if the other one's least scaled Jacobian is below 0.25 and its own is half as much
  * again.
  *
- * Where hexahedra are poor and sides have steps (see ruledShape()), cages with columns in the
- * metric of flatter steps are filled to the end as well, and the one that comes out best is taken.
+ * Where sides have steps (see ruledShape()) and slanted quads, and the least scaled Jacobian is
+ * below 0.25 in the end, cages with columns in the metric of flatter steps are filled to the end as
+ * well: of 0.8 of their depth, and of 0.4 where that gains but does not double it. One that gains a
+ * tenth is taken, or half as much again if fewer columns are CAD edges. None is filled where
+ * blendInterior() leaves more than 0.5 percent of the hexahedra to be untangled.
  *
  * Then nodes of the sides slide where hexahedra are poor there (slideCageSides()), if the finished
  * hexahedra are better for it.

@@ -265,7 +265,8 @@ void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
     solidSides(input.solid, input.topology, input.patches, input.freeSides);
   for (SideTube& side : sides)
   {
-    side.stepDepth = input.stepDepth;
+    // Nodes that there are stay where they are.
+    side.stepDepth = side.patches.empty() ? input.stepDepth : 1.0;
   }
   cage.linking = meshLinkingSides(input.source.points, cage.loops, sides, input.layers,
     input.matchTolerance, progressPart(progress, 0.0, 0.4), input.parallelFor);

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace TestDenseAlgebra
 {
@@ -50,6 +51,16 @@ TEST(DenseAlgebra, OppositeDirectionsAreHalfATurnApart)
     EXPECT_LT((rotation * from.normalized() + from.normalized()).norm(), 1e-15);
     EXPECT_NEAR(rotation.trace(), -1.0, 1e-15);
     EXPECT_NEAR(rotation.determinant(), 1.0, 1e-14);
+  }
+}
+
+TEST(DenseAlgebra, WhatHasNoDirectionIsNotTurned)
+{
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  for (const auto& [from, to] : { std::pair(none, none), std::pair(none, Eigen::Vector3d(1, 2, 3)),
+         std::pair(Eigen::Vector3d(1, 2, 3), none) })
+  {
+    EXPECT_EQ(leastRotation(from, to), Eigen::Matrix3d::Identity().eval());
   }
 }
 

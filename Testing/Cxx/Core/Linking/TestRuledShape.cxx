@@ -113,7 +113,10 @@ TEST(RuledShape, PlacesOnALoopGoRound)
   const PlacedLoop loop = loopAt(test::tube(Around, Along, groovedBar(0.0)), 0);
   for (const double v : { 0.0, 0.1, 0.26, 0.5, 0.99, 1.7, -0.3 })
   {
-    EXPECT_LT((pointOnLoop(loop, v) - squarePlace(v, 0.0)).norm(), 1e-14) << v;
+    const LoopPlace place = placeOnLoop(loop.v, v);
+    const Eigen::RowVector3d found = place.between(loop.points.row(static_cast<Index>(place.edge)),
+      loop.points.row(static_cast<Index>(place.edge + 1) % Around));
+    EXPECT_LT((found - squarePlace(v, 0.0)).norm(), 1e-14) << v;
   }
 }
 

@@ -204,9 +204,8 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
     settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
     settings.weights, settings.improvement, sized.quads.imprinted, {}, 1.0, askingFor(progress) };
-  return settings.hexes.ensureValid
-    ? makeUnhinderedCage(input, askingFor(progress), progress)
-    : makeSolidCage(input, progress);
+  return settings.hexes.ensureValid ? makeUnhinderedCage(input, askingFor(progress), progress)
+                                    : makeSolidCage(input, progress);
 }
 
 SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& topology,

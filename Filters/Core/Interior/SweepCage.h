@@ -35,6 +35,12 @@ struct SweepCage
  */
 using InteriorMethod = std::function<Points(
   const SweepCage& cage, const Progress& progress, const ParallelFor& parallelFor)>;
+
+/// One a node of the filled cage, (L + 1) n: whether it is on a cap or a linking side.
+std::vector<bool> fixedNodes(const SweepCage& cage);
+
+/// @throw InvalidInput where the parts of a cage do not belong together.
+void checkCage(const SweepCage& cage);
 }
 
 #endif

@@ -6,7 +6,7 @@
 #ifndef hexsweep_ColumnCourses_h
 #define hexsweep_ColumnCourses_h
 
-#include "Core/Linking/SideStrip.h"
+#include "Core/Linking/StripSearch.h"
 
 namespace hexsweep
 {

@@ -7,6 +7,7 @@
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Linking/ColumnEnds.h"
 #include "Core/Linking/LayerSpacing.h"
+#include "Core/Linking/PlacedLoop.h"
 #include "Core/Linking/RingParameter.h"
 #include "Core/Linking/RingQuads.h"
 #include "Core/Linking/SteadyColumns.h"
@@ -36,16 +37,6 @@ double longestEdge(const SideTube& side, Index columns)
   const double n = static_cast<double>(columns);
   return std::sqrt(
     2.0 * surfaceArea(side.surface) / std::max(LeastTriangles, n * n / TrianglesOfRing));
-}
-
-/// Value at a place (edge + fraction) of a loop whose values rise by 1 a round.
-double valueAt(const std::vector<double>& values, double place)
-{
-  const std::size_t n = values.size();
-  const std::size_t edge = static_cast<std::size_t>(std::floor(place)) % n;
-  const double fraction = place - std::floor(place);
-  const double next = edge + 1 < n ? values[edge + 1] : values[0] + 1.0;
-  return fraction == 0.0 ? values[edge] : values[edge] + fraction * (next - values[edge]);
 }
 }
 

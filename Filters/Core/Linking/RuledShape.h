@@ -6,31 +6,13 @@
 #ifndef hexsweep_RuledShape_h
 #define hexsweep_RuledShape_h
 
-#include "Core/Common/Mesh.h"
+#include "Core/Linking/PlacedLoop.h"
 
 #include <optional>
 #include <vector>
 
 namespace hexsweep
 {
-/// A loop of a side, with places that rise by less than 1 on the way round.
-struct PlacedLoop
-{
-  Points points;         ///< n x 3
-  std::vector<double> v; ///< one a point
-};
-
-/// A place between point `edge` of a loop and the next one.
-struct LoopPlace
-{
-  std::size_t edge;
-  double fraction; ///< in [0, 1]; 0 or 1 where the place is a point of the loop to rounding
-  Eigen::RowVector3d between(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b) const;
-};
-
-/// @param values v at a loop's points, see PlacedLoop. @param v any number, period 1.
-LoopPlace placeOnLoop(const std::vector<double>& values, double v);
-
 /// Values are one a point of the side.
 struct RuledShape
 {

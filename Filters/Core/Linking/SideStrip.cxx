@@ -180,23 +180,12 @@ PeriodicSystem periodicSystem(const CutTube& cut, const SparseMatrix& laplacian,
   return { transposed * laplacian * glue, -(transposed * (laplacian * offset)) };
 }
 
-/// Rows of the points that copies are copies of.
-Points copied(const Points& points, const CutTube& cut)
-{
-  Points copies(cut.mesh.points.rows(), 3);
-  for (Index i = 0; i < copies.rows(); ++i)
-  {
-    copies.row(i) = points.row(cut.original[at(i)]);
-  }
-  return copies;
-}
-
 /// How far the target loop is to be turned so that it fits the conjugate of u.
 double conjugateTurn(const SideStrip& strip, const CutTube& cut, const std::vector<double>& targetV)
 {
   const Index n = strip.surface.points.rows();
   const PeriodicSystem system = periodicSystem(
-    cut, symmetricLaplacian(copied(strip.shape, cut), cut.mesh.triangles, Weights::Intrinsic), n);
+    cut, symmetricLaplacian(cut.mesh.points, cut.mesh.triangles, Weights::Intrinsic), n);
   std::vector<bool> fixed(at(n), false);
   fixed[at(strip.source.front())] = true;
   const Eigen::VectorXd v = DirichletSolver(system.matrix, fixed, strip.surface.points)
@@ -225,8 +214,7 @@ PlanePoints solveStrip(const SideStrip& strip, const CutTube& cut, Weights weigh
 {
   const Index n = cut.mesh.points.rows();
   const Index points = strip.surface.points.rows();
-  const SparseMatrix laplacian =
-    surfaceLaplacian(copied(strip.shape, cut), cut.mesh.triangles, weights);
+  const SparseMatrix laplacian = surfaceLaplacian(cut.mesh.points, cut.mesh.triangles, weights);
   // Per copy: v and u where they are given.
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, 2);
   std::vector<bool> fixed(at(n), false);
@@ -315,8 +303,8 @@ SideStrip refinedSide(const SideTube& side, double longestEdge)
   return strip;
 }
 
-/// Cuts along the CAD edges, or where there are none along the shortest path; the loops begin at
-/// the first cut from now on.
+/// The shape cut along the CAD edges, or where there are none along the shortest path; the loops
+/// begin at the first cut from now on.
 CutTube cutOpen(SideStrip& strip)
 {
   std::vector<std::vector<Index>> paths;
@@ -330,7 +318,7 @@ CutTube cutOpen(SideStrip& strip)
   }
   beginAt(strip.source, paths.front().front());
   beginAt(strip.target, paths.front().back());
-  return cutTube(strip.surface, paths);
+  return cutTube({ strip.shape, strip.surface.triangles }, paths);
 }
 
 /// Fractions of a loop's length at its points, the first 0.
@@ -395,46 +383,58 @@ CutTube fillStrip(SideStrip& strip)
   return cut;
 }
 
-/// Makes the steps of a side that is ruled otherwise flatter in the metric, see ruledShape().
+constexpr double Negligible = 0.1; // of the edges that the map is made of
+
+/// @param framed the strip with v on its loops, without CAD edges.
+std::optional<RuledShape> shapeWithFlatterSteps(
+  const SideStrip& framed, double longestEdge, double stepDepth)
+{
+  return ruledShape(framed.surface,
+    { loopPoints(framed.surface.points, framed.source), framed.sourceV },
+    { loopPoints(framed.surface.points, framed.target), framed.targetV }, Negligible * longestEdge,
+    stepDepth);
+}
+
+SideStrip withoutEdges(SideStrip strip)
+{
+  strip.columns.clear();
+  return strip;
+}
+
+/// Makes the steps of a side that is ruled otherwise flatter in the metric.
 void flattenSteps(SideStrip& strip, double longestEdge, double stepDepth)
 {
-  SideStrip free = strip;
-  free.columns.clear();
+  SideStrip free = withoutEdges(strip);
   const CutTube cut = cutOpen(free);
   placeFrame(free, cut);
-  constexpr double Negligible = 0.1; // of the edges that the map is made of
-  std::optional<RuledShape> shape =
-    ruledShape(strip.surface, { loopPoints(strip.surface.points, free.source), free.sourceV },
-      { loopPoints(strip.surface.points, free.target), free.targetV }, Negligible * longestEdge,
-      stepDepth);
+  std::optional<RuledShape> shape = shapeWithFlatterSteps(free, longestEdge, stepDepth);
   strip.hasSteps = shape.has_value();
-  if (shape && stepDepth < 1.0)
+  if (!shape)
   {
-    strip.shape = std::move(shape->points);
-    // An edge that goes round a step, or over it, is what columns are not to follow.
-    const double aside =
-      Negligible * longestEdge / closedLength(loopPoints(strip.surface.points, strip.source));
-    const auto leavesItsLine = [&](const StripColumn& column) {
-      const double line = shape->v[at(column.points.front())];
-      return std::any_of(column.points.begin(), column.points.end(), [&](Index point) {
-        const double off = shape->v[at(point)] - line;
-        return shape->onStep[at(point)] || std::abs(off - std::round(off)) > aside;
-      });
-    };
-    strip.columns.erase(std::remove_if(strip.columns.begin(), strip.columns.end(), leavesItsLine),
-      strip.columns.end());
-    for (StripColumn& column : strip.columns)
-    {
-      column = columnOf(std::move(column.points), strip.shape);
-    }
+    return;
+  }
+  strip.shape = std::move(shape->points);
+  // An edge that goes round a step, or over it, is what columns are not to follow.
+  const double aside =
+    Negligible * longestEdge / closedLength(loopPoints(strip.surface.points, strip.source));
+  const auto leavesItsLine = [&](const StripColumn& column) {
+    const double line = shape->v[at(column.points.front())];
+    return std::any_of(column.points.begin(), column.points.end(), [&](Index point) {
+      const double off = shape->v[at(point)] - line;
+      return shape->onStep[at(point)] || std::abs(off - std::round(off)) > aside;
+    });
+  };
+  strip.columns.erase(
+    std::remove_if(strip.columns.begin(), strip.columns.end(), leavesItsLine), strip.columns.end());
+  for (StripColumn& column : strip.columns)
+  {
+    column = columnOf(std::move(column.points), strip.shape);
   }
 }
 
-/// (v, u) of each point of the side, without any CAD edge.
-PlanePoints freePlaces(SideStrip strip)
+/// (v, u) of each point of a side that was filled.
+PlanePoints placesOf(const SideStrip& strip, const CutTube& cut)
 {
-  strip.columns.clear();
-  const CutTube cut = fillStrip(strip);
   PlanePoints places(strip.surface.points.rows(), 2);
   for (Index i = 0; i < strip.plane.rows(); ++i)
   {
@@ -447,17 +447,29 @@ PlanePoints freePlaces(SideStrip strip)
 SideStrip mapSideToStrip(const SideTube& side, double longestEdge, EdgeHeights heights)
 {
   SideStrip strip = refinedSide(side, longestEdge);
-  flattenSteps(strip, longestEdge, side.stepDepth);
-  if (!strip.columns.empty())
+  const bool isFlattened = side.stepDepth < 1.0;
+  if (isFlattened)
   {
-    const PlanePoints free = freePlaces(strip);
-    strip.columns = steadyColumns(strip.columns, free);
-    for (StripColumn& column : strip.columns)
+    flattenSteps(strip, longestEdge, side.stepDepth);
+  }
+  SideStrip free = withoutEdges(strip);
+  const CutTube cut = fillStrip(free);
+  if (!isFlattened)
+  {
+    free.hasSteps = shapeWithFlatterSteps(free, longestEdge, 1.0).has_value();
+    strip.hasSteps = free.hasSteps;
+  }
+  if (strip.columns.empty())
+  {
+    return free;
+  }
+  const PlanePoints places = placesOf(free, cut);
+  strip.columns = steadyColumns(strip.columns, places);
+  for (StripColumn& column : strip.columns)
+  {
+    if (heights == EdgeHeights::OfNeighborhood)
     {
-      if (heights == EdgeHeights::OfNeighborhood)
-      {
-        column.u = risingHeights(column, free);
-      }
+      column.u = risingHeights(column, places);
     }
   }
   fillStrip(strip);

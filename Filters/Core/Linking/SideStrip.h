@@ -9,8 +9,6 @@
 #ifndef hexsweep_SideStrip_h
 #define hexsweep_SideStrip_h
 
-#include "Core/Geometry/BoxTree.h"
-#include "Core/Geometry/PlaneTriangulation.h"
 #include "Core/Linking/StripColumn.h"
 
 #include <optional>
@@ -26,8 +24,8 @@ struct SideTube
   /// Parts that are meshed already, with structured quads from the source to the target loop, in
   /// the same place as their triangles in `surface`.
   std::vector<QuadMesh> patches;
-  double stepDepth =
-    1.0; ///< what the metric of the strip has of the depth of steps, see ruledShape()
+  /// What the metric of the strip has of the depth of steps, see ruledShape(); in (0, 1].
+  double stepDepth = 1.0;
 };
 
 /**
@@ -73,33 +71,6 @@ SideStrip mapSideToStrip(
 
 /// @return the place of the target loop at v, any number, period 1.
 Eigen::RowVector3d pointOnTarget(const SideStrip& strip, double v);
-
-/// A place on the side.
-struct StripPlace
-{
-  Index triangle = -1; ///< row of SideStrip::surface.triangles
-  Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
-};
-
-/// Finds places of the strip on the side.
-class StripSearch
-{
-public:
-  /// @param strip must outlive the search.
-  explicit StripSearch(const SideStrip& strip);
-
-  /// @param v any number, period 1. @param u in [0, 1].
-  StripPlace at(double v, double u) const;
-
-private:
-  StripPlace onTriangle(std::uint32_t t, const PlaneTriangulation::Point& q) const;
-
-  const SideStrip& Strip;
-  PlaneTriangulation Plane;
-  BoxTree Boxes;
-  int Least = 0; ///< range of v in whole turns
-  int Most = 0;
-};
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Linking/StripSearch.h"
+
 #include "Core/Geometry/PlaneTriangleSearch.h"
-#include "Core/Linking/SideStrip.h"
 
 #include <cmath>
 #include <limits>

@@ -96,19 +96,30 @@ double leastInTheEnd(
   }
 }
 
-/// A cage, and the least scaled Jacobian of what it is filled with once that was asked for.
+/// A cage, and what it is filled with, each known once it was asked for.
 struct JudgedCage
 {
   SolidCage cage;
-  std::optional<double> known;
+  std::optional<CageForecast> knownForecast;
+  std::optional<double> knownLeast;
+
+  const CageForecast& forecast(
+    std::size_t sides, const ParallelFor& parallelFor, const Progress& progress)
+  {
+    if (!this->knownForecast)
+    {
+      this->knownForecast = forecastCage(this->cage, sides, parallelFor, progress);
+    }
+    return *this->knownForecast;
+  }
 
   double least(const ParallelFor& parallelFor, const Progress& progress)
   {
-    if (!this->known)
+    if (!this->knownLeast)
     {
-      this->known = leastInTheEnd(this->cage, parallelFor, progress);
+      this->knownLeast = leastInTheEnd(this->cage, parallelFor, progress);
     }
-    return *this->known;
+    return *this->knownLeast;
   }
 };
 
@@ -139,14 +150,13 @@ std::vector<Index> facesOfSides(const SolidCageInput& input, const std::vector<b
 JudgedCage cageWithItsEdgesOrWithout(
   SolidCageInput& input, const ParallelFor& parallelFor, const Progress& progress)
 {
-  JudgedCage kept{ makeSolidCage(input, progressPart(progress, 0.0, 0.5)), {} };
+  JudgedCage kept{ makeSolidCage(input, progressPart(progress, 0.0, 0.5)), {}, {} };
   if (kept.cage.isRuled || kept.cage.leftBorders || kept.cage.linking.keptEdges == 0)
   {
     return kept;
   }
   const std::size_t sides = input.topology.sides.size();
-  const CageForecast with =
-    forecastCage(kept.cage, sides, parallelFor, progressPart(progress, 0.5, 0.6));
+  const CageForecast& with = kept.forecast(sides, parallelFor, progressPart(progress, 0.5, 0.6));
   if (std::find(with.hindered.begin(), with.hindered.end(), true) == with.hindered.end())
   {
     return kept;
@@ -154,14 +164,14 @@ JudgedCage cageWithItsEdgesOrWithout(
   input.freeSides = with.hindered;
   try
   {
-    JudgedCage freed{ makeSolidCage(input, progressPart(progress, 0.6, 0.7)), {} };
+    JudgedCage freed{ makeSolidCage(input, progressPart(progress, 0.6, 0.7)), {}, {} };
     if (freed.cage.linking.keptEdges >= kept.cage.linking.keptEdges)
     {
       input.freeSides.clear();
       return kept;
     }
-    const CageForecast without =
-      forecastCage(freed.cage, sides, parallelFor, progressPart(progress, 0.7, 0.75));
+    const CageForecast& without =
+      freed.forecast(sides, parallelFor, progressPart(progress, 0.7, 0.75));
     const double bad = static_cast<double>(with.notCertified);
     const double left = static_cast<double>(without.notCertified);
     const bool isWorse = LeftWithout * left > bad;
@@ -184,11 +194,11 @@ JudgedCage cageWithItsEdgesOrWithout(
 }
 
 /// Whether blendInterior() leaves so little to untangle that the cage is worth filling to the end.
-bool isWorthFilling(const SolidCage& cage, std::size_t sides, const ParallelFor& parallelFor,
-  const Progress& progress)
+bool isWorthFilling(
+  JudgedCage& judged, std::size_t sides, const ParallelFor& parallelFor, const Progress& progress)
 {
-  const Index hexes = cage.quads.rows() * cage.boundary.numberOfLayers();
-  const Index bad = forecastCage(cage, sides, parallelFor, progress).notCertified;
+  const Index hexes = judged.cage.quads.rows() * judged.cage.boundary.numberOfLayers();
+  const Index bad = judged.forecast(sides, parallelFor, progress).notCertified;
   return static_cast<double>(bad) <= MostTangled * static_cast<double>(hexes);
 }
 
@@ -198,7 +208,7 @@ void flattenSteps(
 {
   const std::size_t sides = input.topology.sides.size();
   constexpr double Share = 1.0 / static_cast<double>(1 + std::size(StepDepths));
-  if (!isWorthFilling(best.cage, sides, parallelFor, progressPart(progress, 0.0, 0.1 * Share)))
+  if (!isWorthFilling(best, sides, parallelFor, progressPart(progress, 0.0, 0.1 * Share)))
   {
     return;
   }
@@ -213,10 +223,10 @@ void flattenSteps(
     input.stepDepth = StepDepths[i];
     try
     {
-      JudgedCage other{ makeSolidCage(input, progressPart(progress, done, done + 0.5 * Share)),
+      JudgedCage other{ makeSolidCage(input, progressPart(progress, done, done + 0.5 * Share)), {},
         {} };
       if (other.cage.leftBorders ||
-        !isWorthFilling(other.cage, sides, parallelFor,
+        !isWorthFilling(other, sides, parallelFor,
           progressPart(progress, done + 0.5 * Share, done + 0.6 * Share)))
       {
         return;

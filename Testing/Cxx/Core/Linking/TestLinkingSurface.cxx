@@ -3,6 +3,7 @@
 #include "Core/Linking/LinkingSurface.h"
 
 #include "Support/CapMeshes.h"
+#include "Support/TubeMeshes.h"
 
 #include <limits>
 #include <set>
@@ -81,16 +82,6 @@ Points twoTubes()
   return points;
 }
 
-Loop upTo(Index n)
-{
-  Loop loop;
-  for (Index i = 0; i < n; ++i)
-  {
-    loop.push_back(i);
-  }
-  return loop;
-}
-
 TEST(LinkingSurface, PiecesAreJoinedToATube)
 {
   const LinkingSurface given = walls();
@@ -141,7 +132,7 @@ TEST(LinkingSurface, FacesByAngleOnlyWithoutIds)
 
 TEST(LinkingSurface, LoopsOfQuads)
 {
-  const std::vector<Index> rows = hexsweep::loopsOfQuads({ upTo(3), upTo(4) }, 2);
+  const std::vector<Index> rows = hexsweep::loopsOfQuads({ test::numbers(3), test::numbers(4) }, 2);
   EXPECT_EQ(rows, (std::vector<Index>{ 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1 }));
 }
 
@@ -149,7 +140,7 @@ TEST(LinkingSurface, TheLastRingsOnTheTarget)
 {
   hexsweep::TriangleMesh target = test::annulus(1.0, 2.0, 3, 8);
   target.points.col(2).setConstant(2.0);
-  const std::vector<Loop> loops = { upTo(8), upTo(4) };
+  const std::vector<Loop> loops = { test::numbers(8), test::numbers(4) };
   const Points nodes = twoTubes();
   const auto text = [&](const Points& points) {
     return hexsweep::describeMissedTarget(points, loops, 2, target, 1e-6);

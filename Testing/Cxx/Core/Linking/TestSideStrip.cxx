@@ -2,6 +2,8 @@
 // The strip of sides that unfold into the plane: there its coordinates are linear.
 #include "Core/Linking/SideStrip.h"
 
+#include "Core/Linking/StripSearch.h"
+
 #include "Support/CapMeshes.h"
 #include "Support/SideTubes.h"
 

@@ -33,6 +33,15 @@ def setters(text):
     return re.findall(r"void SetMethodTo(\w+)\(\) { this->SetMethod\((\w+)\); }", text)
 
 
+def difference(place, have, want):
+    """@return what a list lacks and has too much, or None where it is as it is wanted."""
+    if have == want:
+        return None
+    missing = [method for method in want if method not in have]
+    others = [method for method in have if method not in want]
+    return f"{place}: missing {missing}, not methods {others}" if missing or others else f"{place}: not in order"
+
+
 def problems_of(root):
     def read(path):
         return (root / path).read_text(encoding="utf-8")
@@ -44,6 +53,7 @@ def problems_of(root):
     constants = [(snake(name), number) for name, number in methods]
     numbered = [(name, str(number)) for name, number in methods]
     guide = read("Documentation/guide/method.md").split("| `Method` | places", 1)[1].split("\n\n", 1)[0]
+    offered = re.search(r"--method {(.*?)}", read("Documentation/guide/commandline.md")).group(1)
     found = {
         "Filters/Core/Interior/InteriorStarts.cxx": (table, [name for name, _ in methods]),
         "Filters/vtkCageHexInterior.h": (enumerators(interior, "MethodType"), constants),
@@ -54,10 +64,10 @@ def problems_of(root):
         "Plugin/OneToOneSweep.xml": (entries(read("Plugin/OneToOneSweep.xml")), methods),
         "Documentation/guide/method.md, table": (
             re.findall(r"^\| `(\w+)`", guide, re.M), [name for name, _ in methods if name != "Automatic"]),
+        "Documentation/guide/commandline.md, --method": (
+            offered.split(","), [name.lower().replace("_", "-") for name, _ in constants]),
     }
-    return [
-        f"{place}: {have} are not the methods {want}" for place, (have, want) in found.items() if have != want
-    ]
+    return [problem for place, (have, want) in found.items() if (problem := difference(place, have, want))]
 
 
 if __name__ == "__main__":

@@ -90,7 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.ensureValid = input.whole(0, 1) == 1;
     options.keepQualities = true;
     options.precision = input.whole(0, 1) == 1 ? Precision::Single : Precision::Double;
-    sweepInterior(cage, interiorStarts(static_cast<InteriorKind>(input.whole(0, 6))), options);
+    const int lastMethod = static_cast<int>(interiorMethodNames().size()) - 1;
+    sweepInterior(
+      cage, interiorStarts(static_cast<InteriorKind>(input.whole(0, lastMethod))), options);
   });
   return 0;
 }

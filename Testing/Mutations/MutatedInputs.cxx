@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MutatedInputs.h"
 
+#include "Core/Interior/InteriorStarts.h"
+
 #include <vtkAssemblySweep.h>
 #include <vtkCageHexInterior.h>
 #include <vtkHarmonicDiskMap.h>
@@ -303,8 +305,9 @@ void setSizes(vtkAlgorithm* filter, Chance& chance)
 
 void setMethods(vtkAlgorithm* filter, Chance& chance)
 {
+  const int methods = static_cast<int>(hexsweep::interiorMethodNames().size());
   auto one = settingsOf<vtkOneToOneSweep>(filter, chance);
-  one.whole(&vtkOneToOneSweep::SetMethod, 7);
+  one.whole(&vtkOneToOneSweep::SetMethod, methods);
   one.whole(&vtkOneToOneSweep::SetProjectionMethod, 3);
   one.whole(&vtkOneToOneSweep::SetWeights, 2);
   one.whole(&vtkOneToOneSweep::SetImproveTriangulation, 3);
@@ -315,7 +318,7 @@ void setMethods(vtkAlgorithm* filter, Chance& chance)
   one.whole(&vtkOneToOneSweep::AddSourceFaceId, 7);
   one.whole(&vtkOneToOneSweep::AddTargetFaceId, 7);
   auto cage = settingsOf<vtkCageHexInterior>(filter, chance);
-  cage.whole(&vtkCageHexInterior::SetMethod, 7);
+  cage.whole(&vtkCageHexInterior::SetMethod, methods);
   cage.whole(&vtkCageHexInterior::SetOutputPointsPrecision, 3);
   cage.flag(&vtkCageHexInterior::SetEnsureValid);
   cage.flag(&vtkCageHexInterior::SetImproveQuality);

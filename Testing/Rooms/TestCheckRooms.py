@@ -26,7 +26,7 @@ class CheckRooms(unittest.TestCase):
         problems = self.problems({
             "Common/Mesh.h": '#include "Core/Solvers/A.h"\n', "Solvers/A.h": ""})
         self.assertEqual(len(problems), 1)
-        self.assertIn("Common/Mesh.h: Common must not include Solvers", problems[0])
+        self.assertIn("Common/Mesh.h:1: Common must not include Solvers", problems[0])
 
     def test_rooms_that_may_not_know_each_other(self):
         self.assertEqual(len(self.problems({

@@ -53,18 +53,23 @@ def problems_of(core):
             continue
         room, unit = place.parts[0], path.stem
         seen = units.setdefault((room, unit), {})
-        for quote, name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+        text = path.read_text(encoding="utf-8")
+        for include in INCLUDE.finditer(text):
+            quote, name = include.groups()
+            line = text.count("\n", 0, include.start(1)) + 1
             if name.startswith("vtk"):
-                problems.append(f"{place}: includes {name}; Core knows no VTK")
+                problems.append(f"{place}:{line}: includes {name}; Core knows no VTK")
             if quote == "<":
                 continue
             parts = name.split("/")
             if len(parts) != 3 or parts[0] != "Core" or not (core / parts[1] / parts[2]).is_file():
-                problems.append(f'{place}: "{name}" is no "Core/Room/Unit.h"')
+                problems.append(f'{place}:{line}: "{name}" is no "Core/Room/Unit.h"')
                 continue
             other = parts[1]
             if other != room and other not in ALLOWED[room]:
-                problems.append(f"{place}: {room} must not include {other} ({name})")
+                problems.append(
+                    f"{place}:{line}: {room} must not include {other} ({name}), only "
+                    f"{', '.join(ALLOWED[room]) or 'itself'}: see Documentation/Architecture.md, Rooms")
             if (other, Path(name).stem) != (room, unit):
                 seen[(other, Path(name).stem)] = None
     return problems + circles_of(units)

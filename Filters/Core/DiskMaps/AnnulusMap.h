@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Maps of a cap with one hole to an annulus, in coordinates (angle, height).
+ * @brief The harmonic angle about the hole of a cap; DiskMaps/CylinderCap adds the height.
  *
  * The height is the harmonic function that is 0 on the outer loop and 1 on the hole; the angle is
  * a harmonic function that grows by 2 pi round the hole: its differential is a closed harmonic

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Conformal map of a cap with one hole to an annulus (paper section 3.1.2, step 2).
+ * @brief Conformal map of a cap with one hole to an annulus (paper section 3.1.2, step 2, to the
+ * letter).
+ *
+ * Sweeps take DiskMaps/CylinderCap instead, which needs no cut and measures both caps alike.
  */
 #ifndef hexsweep_ConformalAnnulus_h
 #define hexsweep_ConformalAnnulus_h

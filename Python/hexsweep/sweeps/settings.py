@@ -24,13 +24,15 @@ SETTINGS = (
      "several caps: distance over size up to which their curves are one"),
     ("tolerance", "MatchTolerance", float, "distance over edge length up to which points are one"),
 )
-METHODS = {
-    name.lower().replace("_", "-"): getattr(vtkCageHexInterior, name)
-    for name in (
-        "AUTOMATIC", "BLEND", "HARMONIC_COORDINATES", "MEAN_VALUE_COORDINATES", "GREEN_COORDINATES",
-        "LAYER_MARCH", "AFFINE_BOUNDARY_ERROR",
-    )
-}
+
+
+def _enumeration(cls, kind):
+    """@return the values of an enumeration of a wrapped class by their names as words, in their order."""
+    values = {name: value for name, value in vars(cls).items() if isinstance(value, kind)}
+    return {name.lower().replace("_", "-"): values[name] for name in sorted(values, key=values.get)}
+
+
+METHODS = _enumeration(vtkCageHexInterior, vtkCageHexInterior.MethodType)
 PRECISIONS = {"single": vtkAlgorithm.SINGLE_PRECISION, "double": vtkAlgorithm.DOUBLE_PRECISION}
 # Only sweeps between several caps have these.
 _OF_SEVERAL_CAPS = ("DraftAngle", "ImprintTolerance")

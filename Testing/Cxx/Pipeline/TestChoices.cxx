@@ -2,6 +2,7 @@
 // One rule for all filters: what means nothing is an error at run that names what does; what is
 // missing is named; reports say what ran.
 #include "CapGrids.h"
+#include "Core/Interior/InteriorStarts.h"
 #include "HexSweepArrays.h"
 #include "SolidGrids.h"
 
@@ -14,6 +15,8 @@
 
 #include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace TestChoices
 {
@@ -80,8 +83,10 @@ TEST(Choices, OfTheSolidSweep)
   vtkNew<vtkOneToOneSweep> filter;
   filter->SetSolidData(test::solidGrid("wing"));
   filter->AddSourceFaceId(3);
+  const std::vector<std::string> methods = hexsweep::interiorMethodNames();
   expectRefused(
-    filter, [&](int v) { filter->SetMethod(v); }, 7, "Method", "AffineBoundaryError");
+    filter, [&](int v) { filter->SetMethod(v); }, static_cast<int>(methods.size()), "Method",
+    methods.back());
   expectRefused(
     filter, [&](int v) { filter->SetProjectionMethod(v); }, 3, "ProjectionMethod",
     "AffineLeastSquares");

@@ -34,9 +34,19 @@ double badHexes(const BodyMesh& mesh)
   return mesh.hexes->GetFieldData()->GetArray(reports::NotCertified)->GetTuple1(0);
 }
 
+double leastOf(const BodyMesh& mesh)
+{
+  return mesh.hexes->GetFieldData()->GetArray(reports::MinScaledJacobian)->GetTuple1(0);
+}
+
+bool isBetter(const BodyMesh& mesh, const BodyMesh& other)
+{
+  return badHexes(mesh) != badHexes(other) ? badHexes(mesh) < badHexes(other)
+                                           : leastOf(mesh) > leastOf(other);
+}
+
 /**
- * Tries one sweep after the other until one gives a valid mesh; else the one with the fewest bad
- * hexahedra is taken.
+ * Tries one sweep after the other until one gives a valid mesh, rivals all; the best is taken.
  *
  * @return what to tell the user.
  * @throw InvalidInput when none gives a mesh.
@@ -46,15 +56,17 @@ std::vector<std::string> bestOfSweeps(const SweepChoice& choice, const Sweep& sw
   std::vector<std::string> warnings;
   std::string failed;
   bool found = false;
-  for (const SweepTopology& topology : choice.sweeps)
+  bool valid = false;
+  for (std::size_t i = 0; i < choice.sweeps.size() && !(valid && i >= choice.rivals); ++i)
   {
+    const SweepTopology& topology = choice.sweeps[i];
     const std::string way = describeWay(topology.sourceFaceIds, topology.targetFaceIds);
     BodyMesh mesh;
     try
     {
       const SolidSweepResult result = sweep(topology, mesh);
       const double bad = badHexes(mesh);
-      if (result.valid || !found || bad < badHexes(best))
+      if (!found || isBetter(mesh, best))
       {
         best = std::move(mesh);
         warnings = result.warnings;
@@ -67,11 +79,11 @@ std::vector<std::string> bestOfSweeps(const SweepChoice& choice, const Sweep& sw
         }
         found = true;
       }
-      if (result.valid)
+      if (!result.valid)
       {
-        return warnings;
+        failed += " " + way + " has " + describe(bad) + " hexahedra that are not certified.";
       }
-      failed += " " + way + " has " + describe(bad) + " hexahedra that are not certified.";
+      valid = valid || result.valid;
     }
     catch (const InvalidInput& error)
     {
@@ -137,17 +149,6 @@ std::vector<std::string> sweepBetweenTwo(const SolidToSweep& solid, NamedCaps na
   }
   addReport(mesh.hexes->GetFieldData(), reports::Candidates, ranking);
   return warnings;
-}
-
-double leastOf(const BodyMesh& mesh)
-{
-  return mesh.hexes->GetFieldData()->GetArray(reports::MinScaledJacobian)->GetTuple1(0);
-}
-
-bool isBetter(const BodyMesh& mesh, const BodyMesh& other)
-{
-  return badHexes(mesh) != badHexes(other) ? badHexes(mesh) < badHexes(other)
-                                           : leastOf(mesh) > leastOf(other);
 }
 
 /// Where a sweep between two caps failed (no cells) or has low hexahedra: the same by columns, if

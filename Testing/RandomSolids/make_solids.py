@@ -61,6 +61,32 @@ def faces_on(points, triangles, faces, test):
     return [int(f) for f in np.unique(faces) if on[triangles[faces == f]].all()]
 
 
+def loops_of(triangles):
+    """How many closed borders these triangles have."""
+    edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    edges, counts = np.unique(edges, axis=0, return_counts=True)
+    beside = {}
+    for one, other in edges[counts == 1]:
+        beside.setdefault(one, []).append(other)
+        beside.setdefault(other, []).append(one)
+    loops = 0
+    while beside:
+        loops += 1
+        ahead = [next(iter(beside))]
+        while ahead:
+            ahead += beside.pop(ahead.pop(), [])
+    return loops
+
+
+def check_swept(triangles, faces, source, target):
+    """A sweep has as many handles as its caps have holes: a feature that fills a hole spoils it."""
+    loops = [loops_of(triangles[np.isin(faces, cap)]) for cap in (source, target)]
+    # A closed surface of triangles has half as many again edges; Euler: V - E + F = 2 - 2 handles.
+    handles = 1 - (len(np.unique(triangles)) - len(triangles) // 2) // 2
+    if loops != [handles + 1, handles + 1]:
+        raise ValueError(f"the caps have {loops[0]} and {loops[1]} loops, the surface {handles} handles")
+
+
 def write_vtu(path, points, triangles, faces):
     grid = vtk.vtkUnstructuredGrid()
     vtk_points = vtk.vtkPoints()
@@ -112,6 +138,7 @@ def attempt(folder, family, seed, number):
     corners = [set(triangles[np.isin(faces, cap)].ravel()) for cap in (source, target)]
     if corners[0] & corners[1]:
         raise ValueError("the caps touch, there is no side between them")
+    check_swept(triangles, faces, source, target)
     if len(triangles) > 40000:
         raise ValueError("too many triangles")
     write_vtu(folder / "solid.vtu", scale * points, triangles, faces)

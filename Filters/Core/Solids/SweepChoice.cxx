@@ -19,6 +19,11 @@ namespace
 constexpr std::size_t MostTried = 3;
 /// A sweep is not worth a trial where its score is less than this share of the best one's.
 constexpr double LeastShare = 0.25;
+/// Grave things speak against a sweep of a score below this; one that comes so near to it in score
+/// may well give the better mesh. Of 160 random solids, one: least scaled Jacobian 0.52, its
+/// rival's 0.73.
+constexpr double DoubtfulScore = 0.5;
+constexpr double RivalShare = 0.8;
 
 [[noreturn]] void failOnRanking(const SolidSurface& solid, const SweepCandidates& ranking)
 {
@@ -44,12 +49,15 @@ constexpr double LeastShare = 0.25;
 
 SweepChoice bestSweeps(const SolidSurface& solid)
 {
-  SweepChoice choice{ {}, findSweepCandidates(solid) };
+  SweepChoice choice;
+  choice.ranking = findSweepCandidates(solid);
+  const double best = choice.ranking.list.empty() ? 0.0 : choice.ranking.list.front().score;
   for (const SweepCandidate& candidate : choice.ranking.list)
   {
-    if (candidate.fits && choice.sweeps.size() < MostTried &&
-      candidate.score >= LeastShare * choice.ranking.list.front().score)
+    if (candidate.fits && choice.sweeps.size() < MostTried && candidate.score >= LeastShare * best)
     {
+      const bool isRival = best < DoubtfulScore && candidate.score >= RivalShare * best;
+      choice.rivals += isRival && !choice.sweeps.empty() ? 1 : 0;
       choice.sweeps.push_back(
         sweepBetween(solid, candidate.sourceFaceIds, candidate.targetFaceIds));
     }
@@ -65,7 +73,8 @@ SweepChoice bestSweeps(const SolidSurface& solid)
 SweepChoice sweepTo(const SolidSurface& solid, const std::vector<Index>& targetFaceIds)
 {
   const std::vector<Index> target = checkedFaceIds(solid, targetFaceIds, "target");
-  SweepChoice choice{ {}, findTargetCandidates(solid, target) };
+  SweepChoice choice;
+  choice.ranking = findTargetCandidates(solid, target);
   for (SweepCandidate& candidate : choice.ranking.list)
   {
     std::swap(candidate.sourceFaceIds, candidate.targetFaceIds);

@@ -16,6 +16,8 @@ struct SweepChoice
   /// To be tried in this order until one gives a valid mesh: one, where a face is named, else up to
   /// three. Not empty.
   std::vector<SweepTopology> sweeps;
+  /// How many of the first are alike and all doubtful: their meshes say which is the best. Else 1.
+  std::size_t rivals = 1;
   SweepCandidates ranking; ///< empty where both caps are named
 };
 

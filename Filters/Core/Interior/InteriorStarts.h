@@ -14,7 +14,8 @@
 namespace hexsweep
 {
 /// The numbers are those of the filters' property Method. A method is added here and to the table
-/// in the .cxx, with the same name; Documentation/Architecture.md, "Where to add", has all other places.
+/// in the .cxx, with the same name; Documentation/Architecture.md, "Where to add", has all other
+/// places.
 enum class InteriorKind : int
 {
   Automatic = 0, ///< Blend or, as a rival, Blend with fading bulges; then LayerMarch

@@ -40,7 +40,8 @@ SourceCapQuads madeQuads(SourceQuads made)
 }
 
 SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topology, double size,
-  double chordTolerance, const Progress& progress, bool withBorders)
+  double chordTolerance, const std::optional<AffineSweep>& affine, const Progress& progress,
+  bool withBorders)
 {
   SourceCapQuads result;
   const SolidInput& input = solid.body.solid.input;
@@ -62,6 +63,6 @@ SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topol
     return result;
   }
   return madeQuads(makeSourceQuads(input, solid.body.surface, topology, size, progress, withBorders,
-    askingFor(progress), chordTolerance));
+    askingFor(progress), chordTolerance, &affine));
 }
 }

@@ -7,10 +7,12 @@
 #define HexSweepSolidQuads_h
 
 #include "Core/CapQuads/QuadProjection.h"
+#include "Core/Solids/AffineSweep.h"
 #include "Core/Solids/SweepTopology.h"
 #include "HexSweepHexOutput.h"
 #include "HexSweepSolidSweep.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +34,13 @@ struct SourceCapQuads
  *
  * @param withBorders whether new quads keep the borders between the target's faces.
  * @param chordTolerance of new quads, see CapQuadOptions.
+ * @param affine see findAffineSweep().
  * @param size of new quads; 0: see defaultQuadSize().
  * @throw InvalidInput when the input is no quad mesh, or for a size out of range.
  */
 SourceCapQuads sourceQuads(const SolidToSweep& solid, const SweepTopology& topology, double size,
-  double chordTolerance, const Progress& progress, bool withBorders);
+  double chordTolerance, const std::optional<AffineSweep>& affine, const Progress& progress,
+  bool withBorders);
 }
 
 #endif

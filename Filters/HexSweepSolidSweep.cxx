@@ -76,7 +76,8 @@ struct SizedQuads
 };
 
 SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
-  const SolidSweepSettings& settings, bool withBorders, const Progress& progress)
+  const std::optional<AffineSweep>& affine, const SolidSweepSettings& settings, bool withBorders,
+  const Progress& progress)
 {
   if (!(settings.size >= 0.0) || !std::isfinite(settings.size))
   {
@@ -91,7 +92,8 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
       settings.layers);
   }
   const auto quadsOf = [&](double size) {
-    return sourceQuads(solid, topology, size, settings.chordTolerance, progress, withBorders);
+    return sourceQuads(
+      solid, topology, size, settings.chordTolerance, affine, progress, withBorders);
   };
   SizedQuads result{ quadsOf(wanted), settings.layers, settings.size, 0.0 };
   double width = meanHexWidth(solid.body.surface, topology, result.quads.mesh);
@@ -197,13 +199,15 @@ std::vector<std::string> advice(
 }
 
 SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
-  const SolidSweepSettings& settings, const SizedQuads& sized, const Progress& progress)
+  const std::optional<AffineSweep>& affine, const SolidSweepSettings& settings,
+  const SizedQuads& sized, const Progress& progress)
 {
   SolidCageInput input{ solid.body.surface, topology, sized.quads.mesh,
     sidePatches(solid.body.solid.input, solid.body.surface, topology), sized.layers,
     settings.matchTolerance, settings.hexes.precision == vtkAlgorithm::SINGLE_PRECISION,
     settings.hexes.ensureValid, settings.hexes.improveQuality, settings.projection,
-    settings.weights, settings.improvement, sized.quads.imprinted, {}, 1.0, askingFor(progress) };
+    settings.weights, settings.improvement, sized.quads.imprinted, {}, 1.0, askingFor(progress),
+    &affine };
   return settings.hexes.ensureValid ? makeUnhinderedCage(input, askingFor(progress), progress)
                                     : makeSolidCage(input, progress);
 }
@@ -212,14 +216,17 @@ SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& top
   const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
 {
-  SizedQuads sized = sizedQuads(solid, topology, settings, true, progressPart(progress, 0.0, 0.1));
+  const std::optional<AffineSweep> affine = findAffineSweep(solid.body.surface, topology);
+  SizedQuads sized =
+    sizedQuads(solid, topology, affine, settings, true, progressPart(progress, 0.0, 0.1));
   stages.finish("Source quads");
-  SolidCage cage = cageOf(solid, topology, settings, sized, progressPart(progress, 0.1, 0.3));
+  SolidCage cage =
+    cageOf(solid, topology, affine, settings, sized, progressPart(progress, 0.1, 0.3));
   if (cage.leftBorders)
   {
     // Quads that were made for the borders are worse than others, and now for nothing.
-    sized = sizedQuads(solid, topology, settings, false, progressPart(progress, 0.3, 0.35));
-    cage = cageOf(solid, topology, settings, sized, progressPart(progress, 0.35, 0.48));
+    sized = sizedQuads(solid, topology, affine, settings, false, progressPart(progress, 0.3, 0.35));
+    cage = cageOf(solid, topology, affine, settings, sized, progressPart(progress, 0.35, 0.48));
     cage.leftBorders = true;
   }
   stages.finish(cage.stages);

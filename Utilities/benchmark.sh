@@ -16,5 +16,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 "$source_dir/Utilities/install-dependencies.sh" gmsh python3-matplotlib
 configure_and_build HexSweep HexSweepPython
 package=$(find "$build_dir/lib" -type d -path '*site-packages/hexsweep' | head -n 1)
+# As the packages install it.
+/usr/bin/python3 -m compileall -q "$package"
 PYTHONPATH=$(dirname "$package") /usr/bin/python3 "$source_dir/Utilities/benchmark/whole_job.py" \
   --output "$source_dir/build/benchmark" "$@"

@@ -30,12 +30,13 @@ RemeshingMesh::RemeshingMesh(const RemeshingInput& input, const SurfaceSearch& s
     throw InvalidInput("the cap has more points than a half-edge mesh can number.");
   }
   this->Triangulation.add_property(this->Data);
-  const Points normals = surface.project(points).normals;
+  const SurfacePlaces places = surface.project(points);
   for (Index i = 0; i < points.rows(); ++i)
   {
     const Vertex v = this->Triangulation.add_vertex({ points(i, 0), points(i, 1), points(i, 2) });
+    const auto k = static_cast<std::size_t>(i);
     this->data(
-      v) = { i, size, size, normals.row(i), false, input.stays[static_cast<std::size_t>(i)] };
+      v) = { i, size, size, places.normals.row(i), places.triangles[k], false, input.stays[k] };
   }
   const auto vertex = [](Index i) { return Vertex(static_cast<int>(i)); };
   for (Index t = 0; t < input.mesh.triangles.rows(); ++t)

@@ -67,6 +67,7 @@ public:
     double wanted = 0.0;  ///< edge length
     double spacing = 0.0; ///< of the nodes of the curve that it is on
     Eigen::RowVector3d normal = Eigen::RowVector3d::Zero(); ///< of the surface
+    Index triangle = -1; ///< of the surface, at the vertex or near it
     bool onCurve = false;
     bool stays = false;
   };

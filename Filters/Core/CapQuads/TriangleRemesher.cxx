@@ -72,10 +72,6 @@ void TriangleRemesher::updateSizes()
 bool TriangleRemesher::canCollapse(HalfEdge h, bool longEdgesToo)
 {
   HalfEdges& mesh = this->Mesh.halfEdges();
-  if (!mesh.is_collapse_ok(h))
-  {
-    return false;
-  }
   const Vertex gone = mesh.from_vertex_handle(h);
   const Vertex kept = mesh.to_vertex_handle(h);
   double before = std::numeric_limits<double>::infinity();
@@ -102,8 +98,9 @@ bool TriangleRemesher::canCollapse(HalfEdge h, bool longEdgesToo)
   }
   // A very short edge may leave flat triangles, since flips mend these.
   const double length = (this->Mesh.position(gone) - this->Mesh.position(kept)).norm();
-  return after > GoodShape || after > before ||
+  const bool isFair = after > GoodShape || after > before ||
     (length < VeryShort * this->Mesh.data(kept).wanted && after > FlatShape);
+  return isFair && mesh.is_collapse_ok(h); // last: it visits the neighbours of both ends
 }
 
 bool TriangleRemesher::shortenCurve(Vertex v)
@@ -232,6 +229,7 @@ Index TriangleRemesher::splitLong()
     const Vertex v = mesh.add_vertex((mesh.point(a) + mesh.point(b)) * 0.5);
     this->Mesh.data(v).wanted = wanted;
     this->Mesh.data(v).spacing = this->Size;
+    this->Mesh.data(v).triangle = this->Mesh.data(a).triangle;
     mesh.split(e, v);
     added.push_back(v);
   }
@@ -242,16 +240,19 @@ Index TriangleRemesher::splitLong()
 void TriangleRemesher::putOnSurface(const std::vector<Vertex>& vertices)
 {
   Points points(static_cast<Index>(vertices.size()), 3);
+  std::vector<Index> starts(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     points.row(static_cast<Index>(i)) = this->Mesh.position(vertices[i]);
+    starts[i] = this->Mesh.data(vertices[i]).triangle;
   }
-  const SurfacePlaces places = this->Surface.project(points, this->Threads);
+  const SurfacePlaces places = this->Surface.project(points, this->Threads, starts);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     const Eigen::RowVector3d p = places.points.row(static_cast<Index>(i));
     this->Mesh.halfEdges().set_point(vertices[i], { p[0], p[1], p[2] });
     this->Mesh.data(vertices[i]).normal = places.normals.row(static_cast<Index>(i));
+    this->Mesh.data(vertices[i]).triangle = places.triangles[i];
   }
 }
 
@@ -391,13 +392,16 @@ void TriangleRemesher::relax()
     }
   }
   Points points(static_cast<Index>(free.size()), 3);
+  std::vector<Index> starts(free.size());
   forPieces(this->Threads, points.rows(), VerticesAtOnce, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i)
     {
-      points.row(i) = this->wishOf(free[static_cast<std::size_t>(i)]);
+      const auto k = static_cast<std::size_t>(i);
+      points.row(i) = this->wishOf(free[k]);
+      starts[k] = this->Mesh.data(free[k]).triangle;
     }
   });
-  const SurfacePlaces places = this->Surface.project(points, this->Threads);
+  const SurfacePlaces places = this->Surface.project(points, this->Threads, starts);
   for (std::size_t i = 0; i < free.size(); ++i)
   {
     const Vertex v = free[i];
@@ -409,6 +413,7 @@ void TriangleRemesher::relax()
     {
       this->Mesh.halfEdges().set_point(v, { p[0], p[1], p[2] });
       this->Mesh.data(v).normal = normal;
+      this->Mesh.data(v).triangle = places.triangles[i];
     }
   }
 }

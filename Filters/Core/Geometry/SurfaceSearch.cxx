@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,11 @@ namespace hexsweep
 namespace
 {
 constexpr Index PointsAtOnce = 1024;
+
+/// Places nearer to an edge than this share of the triangle, or whose squared distance from it is
+/// less than this share of that from the surface, may be as near to the triangle across, to
+/// rounding.
+constexpr double EdgeSlack = 1e-9;
 
 /// Vertex normals weighted by the angles of the triangles at them.
 Points vertexNormals(const TriangleMesh& surface)
@@ -96,15 +102,20 @@ Points SurfaceSearch::normals(const PointsRef& points, const ParallelFor& parall
   return this->project(points, parallelFor).normals;
 }
 
-SurfacePlaces SurfaceSearch::project(const PointsRef& points, const ParallelFor& parallelFor) const
+SurfacePlaces SurfaceSearch::project(
+  const PointsRef& points, const ParallelFor& parallelFor, const std::vector<Index>& starts) const
 {
-  SurfacePlaces places{ Points(points.rows(), 3), Points(points.rows(), 3) };
+  SurfacePlaces places{ Points(points.rows(), 3), Points(points.rows(), 3),
+    std::vector<Index>(static_cast<std::size_t>(points.rows()), -1) };
   forPieces(parallelFor, points.rows(), PointsAtOnce, [&](Index begin, Index end) {
     Index last = -1; // what is near is found faster, and is the same
     for (Index i = begin; i < end; ++i)
     {
-      const SurfacePlace place = this->project(points.row(i), last);
+      const auto k = static_cast<std::size_t>(i);
+      const SurfacePlace place =
+        this->project(points.row(i), starts.empty() || starts[k] < 0 ? last : starts[k]);
       last = place.triangle;
+      places.triangles[k] = place.triangle;
       places.points.row(i) = place.point;
       places.normals.row(i) = place.normal;
     }
@@ -112,9 +123,32 @@ SurfacePlaces SurfaceSearch::project(const PointsRef& points, const ParallelFor&
   return places;
 }
 
+TrianglePoint SurfaceSearch::nearest(const Eigen::RowVector3d& asked, Index start) const
+{
+  // No triangle of a plane is nearer than the one that the perpendicular meets inside.
+  if (this->PlaneNormal && start >= 0)
+  {
+    const Eigen::RowVector3d a = this->Surface.points.row(this->Surface.triangles(start, 0));
+    const Eigen::RowVector3d b = this->Surface.points.row(this->Surface.triangles(start, 1));
+    const Eigen::RowVector3d c = this->Surface.points.row(this->Surface.triangles(start, 2));
+    TrianglePoint place = closestPointOnTriangle(asked, a, b, c);
+    const double area = (b - a).cross(c - a).dot(*this->PlaneNormal); // doubled
+    const double longest2 =
+      std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
+    const double toEdge = place.coordinates.minCoeff() * area; // at least, times the longest edge
+    if (toEdge > EdgeSlack * area &&
+      toEdge * toEdge > EdgeSlack * longest2 * place.distance * place.distance)
+    {
+      place.triangle = start;
+      return place;
+    }
+  }
+  return this->Search.closest(asked, start);
+}
+
 SurfacePlace SurfaceSearch::project(const Eigen::RowVector3d& asked, Index start) const
 {
-  const TrianglePoint place = this->Search.closest(asked, start);
+  const TrianglePoint place = this->nearest(asked, start);
   Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
   Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
   for (Index c = 0; c < 3; ++c)

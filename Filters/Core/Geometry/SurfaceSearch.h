@@ -10,6 +10,7 @@
 #include "Core/Geometry/TriangleSearch.h"
 
 #include <optional>
+#include <vector>
 
 namespace hexsweep
 {
@@ -18,6 +19,7 @@ struct SurfacePlaces
 {
   Points points;  ///< nearest points of the surface
   Points normals; ///< unit normals there, interpolated from angle-weighted ones at the vertices
+  std::vector<Index> triangles; ///< that they lie on
 };
 
 /// The same of one point.
@@ -32,8 +34,10 @@ class SurfaceSearch
 {
 public:
   explicit SurfaceSearch(const TriangleMesh& surface);
-  /// The same bits with any number of threads.
-  SurfacePlaces project(const PointsRef& points, const ParallelFor& parallelFor = {}) const;
+  /// The same bits with any number of threads and any starts.
+  /// @param starts a triangle near each point where one is known, or -1; empty: none is.
+  SurfacePlaces project(const PointsRef& points, const ParallelFor& parallelFor = {},
+    const std::vector<Index>& starts = {}) const;
 
   /// The normals alone: where the surface is a plane, to rounding, no point is searched for.
   Points normals(const PointsRef& points, const ParallelFor& parallelFor = {}) const;
@@ -42,6 +46,9 @@ public:
   SurfacePlace project(const Eigen::RowVector3d& point, Index start) const;
 
 private:
+  /// The same triangle for each start.
+  TrianglePoint nearest(const Eigen::RowVector3d& point, Index start) const;
+
   TriangleMesh Surface;
   Points VertexNormals; // unit
   TriangleSearch Search;

@@ -177,6 +177,12 @@ TrianglePoint TriangleSearch::onTriangle(const Eigen::RowVector3d& p, Index plac
   return found;
 }
 
+double TriangleSearch::squaredDistanceToBoxOf(const Eigen::RowVector3d& p, Index place) const
+{
+  const auto corners = this->Corners.middleRows<3>(3 * place);
+  return squaredDistanceToBox(p, corners.colwise().minCoeff(), corners.colwise().maxCoeff());
+}
+
 TrianglePoint TriangleSearch::closest(const Eigen::RowVector3d& p, Index start) const
 {
   TrianglePoint best;
@@ -208,6 +214,10 @@ TrianglePoint TriangleSearch::closest(const Eigen::RowVector3d& p, Index start) 
     {
       for (Index i = node.begin; i < node.end; ++i)
       {
+        if (this->squaredDistanceToBoxOf(p, i) > TieSlack * best.distance * best.distance)
+        {
+          continue;
+        }
         const TrianglePoint found = this->onTriangle(p, i);
         // Some triangle is found even for a point that is not finite.
         if (best.triangle < 0 || found.distance < best.distance ||

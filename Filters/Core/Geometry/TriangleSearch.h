@@ -48,6 +48,7 @@ private:
     Index right; // right child; the left one follows its parent; 0 in a leaf
   };
   void build();
+  double squaredDistanceToBoxOf(const Eigen::RowVector3d& p, Index place) const;
   TrianglePoint onTriangle(const Eigen::RowVector3d& p, Index place) const;
 
   Points Corners;           // in the order of the leaves

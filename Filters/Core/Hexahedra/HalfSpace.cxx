@@ -53,6 +53,11 @@ public:
   std::vector<bool> search() &&
   {
     const Index k = this->Units.rows();
+    this->look(this->Preferred);
+    if (this->Count == k) // the rule: nothing holds more
+    {
+      return std::move(this->Inside);
+    }
     for (Index a = 0; a < k; ++a)
     {
       const Vector u = this->Units.row(a);

@@ -131,7 +131,7 @@ std::optional<AffineSweep> affineSweepOf(const SolidCageInput& input)
       }
     }
   }
-  return findAffineSweep(input.solid, input.topology);
+  return input.affine ? *input.affine : findAffineSweep(input.solid, input.topology);
 }
 
 /**

@@ -11,6 +11,7 @@
 #include "Core/Common/Stopwatch.h"
 #include "Core/Interior/SweepInterior.h"
 #include "Core/Linking/LinkingSides.h"
+#include "Core/Solids/AffineSweep.h"
 #include "Core/Solids/SolidSurface.h"
 #include "Core/Solids/SweepTopology.h"
 
@@ -35,6 +36,8 @@ struct SolidCageInput
   std::vector<bool> freeSides = {};      ///< see solidSides()
   double stepDepth = 1.0;                ///< see SideTube
   ParallelFor parallelFor = {};
+  /// What findAffineSweep() gave, where it was asked already.
+  const std::optional<AffineSweep>* affine = nullptr;
 };
 
 struct SolidCage : SweepCage

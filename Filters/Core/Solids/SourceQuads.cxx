@@ -8,7 +8,6 @@
 #include "Core/Common/Describe.h"
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/LoopGeometry.h"
-#include "Core/Solids/AffineSweep.h"
 #include "Core/Solids/OpeningCorners.h"
 #include "Core/Solids/SolidCage.h"
 #include "Core/Solids/SolidMessages.h"
@@ -413,7 +412,7 @@ std::optional<SweepProjection> firstProjection(
 
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
   const SweepTopology& topology, double size, const Progress& progress, bool withBorders,
-  const ParallelFor& parallelFor, double chordTolerance)
+  const ParallelFor& parallelFor, double chordTolerance, const std::optional<AffineSweep>* known)
 {
   if (!(size >= 0.0) || !std::isfinite(size))
   {
@@ -430,7 +429,7 @@ SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
   const bool imprints = topology.targetFaceIds.size() > 1 && withBorders;
   const Progress first = imprints ? progressPart(progress, 0.0, 0.5) : progress;
   const Progress second = progressPart(progress, 0.5, 1.0);
-  if (const std::optional<AffineSweep> affine = findAffineSweep(solid, topology))
+  if (const std::optional<AffineSweep> affine = known ? *known : findAffineSweep(solid, topology))
   {
     if (!imprints)
     {

@@ -7,9 +7,11 @@
 #define hexsweep_SourceQuads_h
 
 #include "Core/CapQuads/QuadProjection.h"
+#include "Core/Solids/AffineSweep.h"
 #include "Core/Solids/SolidInput.h"
 #include "Core/Solids/SweepTopology.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,12 +45,14 @@ struct SourceQuads
  * @param size  edge length; 0: that of the edges that are kept, else see defaultQuadSize(), no less
  *              than half a facet of the cap's curves.
  * @param chordTolerance see CapQuadOptions.
+ * @param known what findAffineSweep() gave, where it was asked already.
  * @throw InvalidInput for a size that is negative or not finite, and as meshCapWithQuads().
  * @throw Aborted.
  */
 SourceQuads makeSourceQuads(const SolidInput& input, const SolidSurface& solid,
   const SweepTopology& topology, double size, const Progress& progress = {},
-  bool withBorders = true, const ParallelFor& parallelFor = {}, double chordTolerance = 0.0);
+  bool withBorders = true, const ParallelFor& parallelFor = {}, double chordTolerance = 0.0,
+  const std::optional<AffineSweep>* known = nullptr);
 
 /// Where the borders between the faces of linking sides begin: points of the solid on the loops of
 /// the source cap.

@@ -3,7 +3,6 @@
 
 import contextlib
 import os
-import secrets
 import shutil
 import stat
 
@@ -58,7 +57,7 @@ class NewFile:
         self._folder_handle = None
         stem, extension = os.path.splitext(os.path.basename(self._place))
         # Known before it is there, so that an interrupt in between leaves nothing.
-        self.path = os.path.join(self.folder, f".{stem[:100]}.{secrets.token_hex(4)}{extension}")
+        self.path = os.path.join(self.folder, f".{stem[:100]}.{os.urandom(4).hex()}{extension}")
 
     def __enter__(self):
         try:

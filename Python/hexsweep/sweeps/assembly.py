@@ -6,7 +6,6 @@ import os
 
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 from .. import __version__, vtkAssemblySweep
 from ..errors import SweepError
@@ -67,6 +66,8 @@ def gaps(data):
 
 def _distance(points_of, surface):
     """The least distance of points from a surface, 0 where some are inside."""
+    from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance  # only where bodies are apart
+
     distance = vtkImplicitPolyDataDistance()
     distance.SetInput(surface)
     return max(0.0, min(distance.EvaluateFunction(points_of.GetPoint(i)) for i in range(points_of.GetNumberOfPoints())))

@@ -88,4 +88,29 @@ TEST(SurfaceSearch, NormalsAloneAreThoseOfTheNearestPoints)
     EXPECT_LT((search.normals(near) - search.project(near).normals).cwiseAbs().maxCoeff(), 1e-14);
   }
 }
+
+TEST(SurfaceSearch, AStartNearThePointChangesNothing)
+{
+  for (const double bulge : { 0.0, 0.3 })
+  {
+    hexsweep::TriangleMesh surface = test::plate(5, test::threeHoles(), 0.3);
+    surface.points =
+      test::lifted(surface.points, [&](double x, double y) { return bulge * x * y; });
+    const hexsweep::SurfaceSearch search(surface);
+    std::mt19937 generator(2);
+    std::uniform_real_distribution<double> uniform(-0.1, 1.1);
+    for (int i = 0; i < 100; ++i)
+    {
+      const Eigen::RowVector3d asked(uniform(generator), uniform(generator), uniform(generator));
+      const hexsweep::SurfacePlace sought = search.project(asked, -1);
+      for (Index start = 0; start < surface.triangles.rows(); ++start)
+      {
+        const hexsweep::SurfacePlace place = search.project(asked, start);
+        ASSERT_EQ(place.triangle, sought.triangle);
+        ASSERT_EQ(place.point, sought.point);
+        ASSERT_EQ(place.normal, sought.normal);
+      }
+    }
+  }
+}
 }

@@ -85,12 +85,12 @@ public:
 
   ///@{
   /**
-   * The method; AUTOMATIC by default: BLEND, or the same with bulges of the caps that fade into the
-   * volume where the caps bulge in different ways and that promises more; where its hexahedra are
-   * not all certified, even after EnsureValid, the other of the two and LAYER_MARCH; the best is
-   * kept. Where loops turn by more than 137 degrees about each other on the way, source quads
-   * carried along the sides come first ("Sections"), by more than 30 degrees last.
-   * `SweepReportMethod` in the field data of the output says what ran.
+   * The method; AUTOMATIC by default: BLEND; where the caps bulge in different ways,
+   * HARMONIC_COORDINATES or BLEND with bulges that fade into the volume, if one of these promises
+   * more; where its hexahedra are not all certified, even after EnsureValid, the others of them and
+   * LAYER_MARCH; the best is kept. Where loops turn by more than 137 degrees about each other on
+   * the way, source quads carried along the sides come first ("Sections"), by more than 30 degrees
+   * last. `SweepReportMethod` in the field data of the output says what ran.
    *
    * A named method gives that method; EnsureValid then untangles locally and nothing else is done.
    * MEAN_VALUE_COORDINATES and GREEN_COORDINATES visit every triangle of the boundary for every

@@ -52,6 +52,8 @@ std::vector<InteriorStart> automaticStarts(bool isRuled, double winding)
     starts.push_back({ "Ruled", ruledInterior, true });
   }
   starts.push_back({ "Blend", blendInterior });
+  // Inside a rounded body its layers stand squarer than any blend's.
+  starts.push_back({ "HarmonicCoordinates", harmonicInterior, false, capsBulgeApart });
   starts.push_back({ "Blend with fading bulges", fadingBlendInterior, false, capsBulgeApart });
   starts.push_back({ "LayerMarch", layerMarchInterior });
   if (winding > LeastWinding && winding <= FarWinding)

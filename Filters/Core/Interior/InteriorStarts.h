@@ -18,7 +18,7 @@ namespace hexsweep
 /// places.
 enum class InteriorKind : int
 {
-  Automatic = 0, ///< Blend or, as a rival, Blend with fading bulges; then LayerMarch
+  Automatic = 0, ///< Blend or a rival of it where caps bulge apart; then LayerMarch
   Blend = 1,
   HarmonicCoordinates = 2,
   MeanValueCoordinates = 3,

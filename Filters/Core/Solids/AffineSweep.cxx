@@ -10,7 +10,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hexsweep
@@ -201,25 +203,35 @@ public:
 
   /// Mean over the loop's nodes, in the points' unit. Where the side is flat, as the end of a
   /// tube's wall, lines stay on it however they turn: the shorter ones are nearer.
-  double operator()(const AffineMap& map) const
+  /// @param limit what is greater need not be known: infinity is returned then.
+  double operator()(
+    const AffineMap& map, double limit = std::numeric_limits<double>::infinity()) const
   {
     constexpr Index Most = 100;
+    constexpr std::array<double, 3> Shares = { 0.25, 0.5, 0.75 };
+    std::array<Index, Shares.size()> near;
+    near.fill(-1);
     const Points image = map.apply(this->Source);
     const Index n = image.rows();
     const Index step = std::max<Index>(1, n / Most);
-    Index count = 0;
+    const auto count = static_cast<double>(Shares.size()) * static_cast<double>((n - 1) / step + 1);
     double sum = 0.0;
     for (Index i = 0; i < n; i += step)
     {
-      for (const double along : { 0.25, 0.5, 0.75 })
+      for (std::size_t k = 0; k < Shares.size(); ++k)
       {
-        const Eigen::RowVector3d place = (1.0 - along) * this->Source.row(i) + along * image.row(i);
-        sum += this->Search.closest(place).distance;
-        ++count;
+        const Eigen::RowVector3d place =
+          (1.0 - Shares[k]) * this->Source.row(i) + Shares[k] * image.row(i);
+        const TrianglePoint found = this->Search.closest(place, near[k]);
+        near[k] = found.triangle;
+        sum += found.distance;
+      }
+      if (sum / count > limit)
+      {
+        return std::numeric_limits<double>::infinity();
       }
     }
-    return sum / static_cast<double>(count) +
-      ShareOfLength * (image - this->Source).rowwise().norm().mean();
+    return sum / count + ShareOfLength * (image - this->Source).rowwise().norm().mean();
   }
 
 private:
@@ -254,11 +266,14 @@ std::vector<RankedMap> turnedMaps(const SweepShape& shape, const RuledDistance& 
       to.row(i) = target.at(place + static_cast<double>(shift) / Shifts);
     }
     const AffineMap map = fitAffineMap(from, to, areaVector(from), areaVector(to));
-    maps.push_back({ distance(map), map });
+    const double limit =
+      maps.size() < Kept ? std::numeric_limits<double>::infinity() : maps.back().distance;
+    const RankedMap ranked{ distance(map, limit), map };
+    maps.insert(std::upper_bound(maps.begin(), maps.end(), ranked,
+                  [](const RankedMap& a, const RankedMap& b) { return a.distance < b.distance; }),
+      ranked);
+    maps.resize(std::min(Kept, maps.size()));
   }
-  std::stable_sort(maps.begin(), maps.end(),
-    [](const RankedMap& a, const RankedMap& b) { return a.distance < b.distance; });
-  maps.resize(Kept);
   return maps;
 }
 
@@ -295,7 +310,7 @@ std::optional<AffineMap> bestNodeMap(
       for (const Index turn : { -1, 1 })
       {
         const AffineMap next = turnedByNodes(shape, map, turn);
-        const double nextDistance = distance(next);
+        const double nextDistance = distance(next, own);
         if (nextDistance < own)
         {
           map = next;

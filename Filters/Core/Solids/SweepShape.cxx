@@ -80,9 +80,11 @@ bool isOnPolygon(const Points& nodes, const Points& polygon, double slack)
   const std::vector<double> own = sagittas(nodes);
   const std::vector<double> others = sagittas(polygon);
   const std::size_t n = own.size();
+  Index near = -1;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const TrianglePoint place = search.closest(nodes.row(static_cast<Index>(i)));
+    const TrianglePoint place = search.closest(nodes.row(static_cast<Index>(i)), near);
+    near = place.triangle;
     const double explained =
       std::max(own[i], own[(i + n - 1) % n]) + others[static_cast<std::size_t>(place.triangle)];
     if (!(place.distance <= slack + SagittaAllowance * explained))
@@ -177,9 +179,11 @@ Points nearestOnPolygon(const Points& polygon, const Points& points)
 {
   const TriangleSearch search(edgeCorners(polygon));
   Points nearest(points.rows(), 3);
+  Index near = -1;
   for (Index i = 0; i < points.rows(); ++i)
   {
-    const TrianglePoint place = search.closest(points.row(i));
+    const TrianglePoint place = search.closest(points.row(i), near);
+    near = place.triangle;
     const Eigen::RowVector3d a = polygon.row(place.triangle);
     const double along = 1.0 - place.coordinates[0];
     nearest.row(i) = a + along * (polygon.row((place.triangle + 1) % polygon.rows()) - a);

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -45,21 +46,77 @@ bool isBetter(const BodyMesh& mesh, const BodyMesh& other)
                                            : leastOf(mesh) > leastOf(other);
 }
 
+/// A sweep to be tried.
+struct Trial
+{
+  const SweepTopology* topology;
+  bool isRival;
+  /// Of a rough mesh, where one was made: not certified, the least scaled Jacobian, and what its
+  /// caps and sides allow.
+  double bad = 0.0;
+  double least = 1.0;
+  double floor = 1.0;
+};
+
+/// In the order of the choice; doubtful rivals in that of what a rough mesh of each is worth.
+std::vector<Trial> inOrder(const SweepChoice& choice, const Sweep& roughly)
+{
+  std::vector<Trial> trials;
+  for (const SweepTopology& topology : choice.sweeps)
+  {
+    trials.push_back({ &topology, trials.size() < choice.rivals });
+  }
+  if (!choice.isDoubtful || choice.rivals < 2)
+  {
+    return trials;
+  }
+  const auto end = trials.begin() + static_cast<std::ptrdiff_t>(choice.rivals);
+  for (auto trial = trials.begin(); trial != end; ++trial)
+  {
+    trial->bad = std::numeric_limits<double>::infinity();
+    try
+    {
+      BodyMesh mesh;
+      roughly(*trial->topology, mesh);
+      trial->bad = badHexes(mesh);
+      trial->least = leastOf(mesh);
+      trial->floor =
+        mesh.hexes->GetFieldData()->GetArray(reports::FloorScaledJacobian)->GetTuple1(0);
+    }
+    catch (const InvalidInput&)
+    {
+    }
+    catch (const SolverFailure&)
+    {
+    }
+  }
+  std::stable_sort(trials.begin(), end, [](const Trial& a, const Trial& b) {
+    return std::make_pair(a.bad, -a.least) < std::make_pair(b.bad, -b.least);
+  });
+  return trials;
+}
+
 /**
- * Tries one sweep after the other until one gives a valid mesh, rivals all; the best is taken.
+ * Tries one sweep after the other until one gives a valid mesh; where its least scaled Jacobian is
+ * low, rivals that may have a higher one as well. The best is taken.
  *
  * @return what to tell the user.
  * @throw InvalidInput when none gives a mesh.
  */
-std::vector<std::string> bestOfSweeps(const SweepChoice& choice, const Sweep& sweep, BodyMesh& best)
+std::vector<std::string> bestOfSweeps(
+  const SweepChoice& choice, const Sweep& sweep, const Sweep& roughly, BodyMesh& best)
 {
   std::vector<std::string> warnings;
   std::string failed;
   bool found = false;
   bool valid = false;
-  for (std::size_t i = 0; i < choice.sweeps.size() && !(valid && i >= choice.rivals); ++i)
+  for (const Trial& trial : inOrder(choice, roughly))
   {
-    const SweepTopology& topology = choice.sweeps[i];
+    if (valid && !(trial.isRival && leastOf(best) < std::min(LowScaledJacobian, trial.floor)))
+    {
+      continue;
+    }
+    const SweepTopology& topology = *trial.topology;
     const std::string way = describeWay(topology.sourceFaceIds, topology.targetFaceIds);
     BodyMesh mesh;
     try
@@ -123,6 +180,15 @@ std::vector<std::string> sweepBetweenTwo(const SolidToSweep& solid, NamedCaps na
     return sweepSolid(
       solid, topology, own, stages, progressPart(progress, 0.03, 1.0), made.hexes, made.boundary);
   };
+  SolidSweepSettings raw = own;
+  raw.hexes.ensureValid = false;
+  raw.hexes.improveQuality = false;
+  raw.hexes.isTrial = true;
+  raw.hexes.failIfInvalid = false;
+  const Sweep roughly = [&](const SweepTopology& topology, BodyMesh& made) {
+    return sweepSolid(
+      solid, topology, raw, stages, progressPart(progress, 0.03, 0.03), made.hexes, made.boundary);
+  };
   const bool isNamed = !named.sourceFaceIds.empty() || !named.targetFaceIds.empty();
   if (isNamed)
   {
@@ -140,8 +206,8 @@ std::vector<std::string> sweepBetweenTwo(const SolidToSweep& solid, NamedCaps na
       }
     }
   }
-  std::vector<std::string> warnings =
-    !isNamed ? bestOfSweeps(choice, sweep, mesh) : sweep(choice.sweeps.front(), mesh).warnings;
+  std::vector<std::string> warnings = !isNamed ? bestOfSweeps(choice, sweep, roughly, mesh)
+                                               : sweep(choice.sweeps.front(), mesh).warnings;
   std::vector<std::string> ranking;
   for (const std::string& line : describeRanking(choice.ranking))
   {

@@ -82,7 +82,7 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   options.ensureValid = settings.ensureValid;
   if (!settings.ensureValid || !settings.improveQuality || !automatic)
   {
-    options.polishingRounds = 0;
+    options.polishingRounds = settings.isTrial ? 1 : 0;
   }
   options.parallelFor = askingFor(progress);
   options.keepQualities = settings.certify;

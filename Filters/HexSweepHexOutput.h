@@ -26,6 +26,7 @@ struct HexOutputSettings
   bool improveQuality = true;
   bool certify = true;
   bool failIfInvalid = false;
+  bool isTrial = false;  ///< to be compared: polished a little, though nothing is untangled
   int precision = 0;     ///< a vtkAlgorithm::DesiredOutputPrecision
   Reflection reflection; ///< of the cage, undone in the output
 };

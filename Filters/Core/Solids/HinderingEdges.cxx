@@ -31,6 +31,8 @@ constexpr double WorthOtherColumns = 1.1;
 constexpr double WorthNoMore = 2.0;
 /// Part of the hexahedra: to untangle more takes longer than all the rest.
 constexpr double MostTangled = 0.005;
+/// Bad hexahedra: to untangle more, so that two meshes can be compared, takes seconds.
+constexpr Index MostCompared = 300;
 
 /// A cage as blendInterior() fills it, before any untangling.
 struct CageForecast
@@ -123,10 +125,17 @@ struct JudgedCage
   }
 };
 
-/// Whether a cage without CAD edges comes out so much better that these are worth less.
-bool isWorthItsEdges(
-  JudgedCage& freed, JudgedCage& kept, const ParallelFor& parallelFor, const Progress& progress)
+/// Whether a cage without CAD edges comes out so much better that these are worth less. Where it
+/// would take long to know, fewer bad hexahedra are enough.
+bool isWorthMoreThanEdges(JudgedCage& freed, JudgedCage& kept, std::size_t sides,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
+  const Index without = freed.forecast(sides, parallelFor, {}).notCertified;
+  const Index bad = kept.forecast(sides, parallelFor, {}).notCertified;
+  if (std::max(without, bad) > MostCompared)
+  {
+    return without < bad;
+  }
   const double with = kept.least(parallelFor, progressPart(progress, 0.0, 0.5));
   return with < PoorMesh &&
     freed.least(parallelFor, progressPart(progress, 0.5, 1.0)) > WorthAnEdge * with;
@@ -176,7 +185,8 @@ JudgedCage cageWithItsEdgesOrWithout(
     const double left = static_cast<double>(without.notCertified);
     const bool isWorse = LeftWithout * left > bad;
     if (left < LeftWithout * bad ||
-      (!isWorse && isWorthItsEdges(freed, kept, parallelFor, progressPart(progress, 0.75, 1.0))))
+      (!isWorse &&
+        isWorthMoreThanEdges(freed, kept, sides, parallelFor, progressPart(progress, 0.75, 1.0))))
     {
       freed.cage.freedSides = facesOfSides(input, input.freeSides);
       return freed;

@@ -14,10 +14,11 @@ namespace hexsweep
 struct SweepChoice
 {
   /// To be tried in this order until one gives a valid mesh: one, where a face is named, else up to
-  /// three. Not empty.
+  /// three, or five doubtful ones. Not empty.
   std::vector<SweepTopology> sweeps;
-  /// How many of the first are alike and all doubtful: their meshes say which is the best. Else 1.
-  std::size_t rivals = 1;
+  std::size_t rivals = 1; ///< how many of the first have nearly the same score
+  bool isDoubtful =
+    false; ///< something grave speaks against all: the score does not tell them apart
   SweepCandidates ranking; ///< empty where both caps are named
 };
 

@@ -105,11 +105,15 @@ INSTANTIATE_TEST_SUITE_P(Random, FailureSolids,
     Failure{ { "../random/b2", { 2 }, { 4 }, 0 }, 0.672, 0.672 },
     Failure{ { "../random/b4", { 2 }, { 3 }, 0 }, 0.670, 0.670 },
     Failure{ { "../random/b5", { 2 }, { 3 }, 0 }, 0.502, 0.502 },
+    // Caps that lean by far: six ways of nearly one score, all but one tangled.
+    Failure{ { "../random/b6", { 8 }, { 9 }, 0 }, 0.13, 0.13 },
     Failure{ { "../random/c1", { 1002 }, { 1005 }, 0 }, 0.719, 0.690 },
     Failure{ { "../random/c2", { 1001 }, { 1011 }, 0 }, 0.694, 0.642 },
     Failure{ { "../random/d1", { 2 }, { 3 }, 0 }, 0.644, 0.643 },
     Failure{ { "../random/d3", { 2 }, { 4 }, 0 }, 0.701, 0.631 },
     Failure{ { "../random/d4", { 2 }, { 4 }, 0 }, 0.678, 0.685 },
+    // A straight prism with a narrow sliver at its cap is likelier, and poor (0.12).
+    Failure{ { "../random/d5", { 2 }, { 4 }, 0 }, 0.7, 0.7 },
     Failure{ { "../random/e1", { 1001 }, { 1010 }, 0 }, 0.668, 0.626 },
     Failure{ { "../random/e3", { 1001 }, { 1011 }, 0 }, 0.583, 0.583 },
     // The ranking doubts all ways; the second is the better one (the first: 0.52).

@@ -6,6 +6,7 @@
 #include "Core/Solids/FoundTarget.h"
 #include "Core/Solids/GeometrySnap.h"
 #include "Core/Solids/HinderingEdges.h"
+#include "Core/Solids/SideDeviation.h"
 #include "Core/Solids/SolidCage.h"
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Solids/SourceQuads.h"
@@ -47,6 +48,8 @@ void addReports(const SolidCage& cage, const SolidSurface& solid, const SweepTop
   addLinkingReport(fieldData, cage.linking);
   addReport(fieldData, reports::InvertedQuads, cage.projection.quality.inverted);
   addReport(fieldData, reports::MaximumSourceDistance, cage.greatestDistance);
+  addReport(
+    fieldData, reports::MaximumSideDistance, greatestSideDistance(cage, solid, topology, smpFor()));
 }
 
 void addSnapReport(const GeometrySnap& snap, vtkFieldData* fieldData)

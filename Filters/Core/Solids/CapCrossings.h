@@ -15,8 +15,8 @@ namespace hexsweep
 /**
  * @param triangles rows of the solid's triangles that form the cap.
  * @param name      for the message, e.g. "source cap".
- * @throw InvalidInput naming the two cells and the place where the cap goes through itself or is
- *        folded onto itself, as it is where its loops cross (findCrossing()).
+ * @throw InvalidInput naming the two cells and the place where the cap goes through itself, as it
+ *        does where its loops cross (findCrossing()), or is folded onto itself (findFold()).
  */
 void checkCapCrossings(
   const SolidSurface& solid, const std::vector<Index>& triangles, const std::string& name);

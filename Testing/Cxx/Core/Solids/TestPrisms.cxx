@@ -242,4 +242,34 @@ TEST(Prisms, CapsThatCrossThemselvesAreNamed)
     [&] { hexsweep::checkCapCrossings(surface, topology.sourceTriangles, "source cap"); },
     "of face 1");
 }
+
+TEST(Prisms, CapsThatAreFoldedAreNamed)
+{
+  // Two triangles of a square; a corner moves inward over one diagonal, which may be their edge.
+  int folded = 0;
+  for (const Eigen::RowVector2d& corner :
+    { Eigen::RowVector2d(4.0, 0.0), Eigen::RowVector2d(0.0, 0.0) })
+  {
+    const SolidInput solid =
+      sweptSolid({ { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } } }, [&](double x, double y, double h) {
+        const bool moves = x == corner[0] && y == corner[1];
+        const double across = moves ? 0.7 * h : 0.0;
+        return Eigen::RowVector3d(x + across * (4.0 - 2.0 * x), y + across * (4.0 - 2.0 * y),
+          3.0 * h + (moves ? 0.1 * h : 0.0));
+      });
+    const hexsweep::SolidSurface surface = hexsweep::makeSolidSurface(solid);
+    const hexsweep::SweepTopology topology = hexsweep::sweepBetween(surface, { 1 }, { 2 });
+    try
+    {
+      hexsweep::checkCapCrossings(surface, topology.targetTriangles, "target cap");
+    }
+    catch (const hexsweep::InvalidInput& error)
+    {
+      ++folded;
+      EXPECT_EQ(std::string(error.what()).rfind("the target cap is folded at (", 0), 0u)
+        << error.what();
+    }
+  }
+  EXPECT_EQ(folded, 1);
+}
 }

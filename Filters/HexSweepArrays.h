@@ -172,8 +172,8 @@ constexpr const char* FixedInvertedQuads = "SweepReportFixedInvertedQuads";
 constexpr const char* Rounds = "SweepReportRounds";
 /// Measure: of interior nodes from the source surface.
 constexpr const char* MaximumSourceDistance = "SweepReportMaximumSourceDistance";
-/// Measure: of the middles of the mesh's side quads from the sides of the solid, which quads cut off
-/// where no layer follows a ledge, a groove or a curve.
+/// Measure: of the middles of the mesh's side quads from the sides of the solid, which quads cut
+/// off where no layer follows a ledge, a groove or a curve.
 constexpr const char* MaximumSideDistance = "SweepReportMaximumSideDistance";
 /// Measure: of the last ring from the boundary of the target surface.
 constexpr const char* MaximumBoundaryDistance = "SweepReportMaximumBoundaryDistance";

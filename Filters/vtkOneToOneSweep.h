@@ -31,8 +31,8 @@
  *
  * Where the solid brings its true surfaces (vtkCADReader, vtkModelGeometry), the boundary nodes of
  * the mesh are put on them, see SetSnapToGeometry(). Reported as `SweepReportSnappedNodes`,
- * `SweepReportUnsnappedNodes` and `SweepReportGreatestSnap`. `SweepReportMaximumSideDistance` is how
- * far the middles of the side quads are from the solid's sides.
+ * `SweepReportUnsnappedNodes` and `SweepReportGreatestSnap`. `SweepReportMaximumSideDistance` is
+ * how far the middles of the side quads are from the solid's sides.
  *
  * Faces on the sides that are meshed with structured quads from source to target keep their nodes,
  * so that neighbouring volumes fit together.

@@ -339,7 +339,7 @@ Index TriangleRemesher::flip()
 /// The centroid of what surrounds a vertex, in its tangent plane; where it is where nothing does.
 Eigen::RowVector3d TriangleRemesher::wishOf(OpenMesh::SmartVertexHandle v) const
 {
-  const Eigen::RowVector3d here = this->Mesh.position(v);
+  Eigen::RowVector3d here = this->Mesh.position(v);
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   double weights = 0.0;
   for (const auto h : v.outgoing_halfedges())

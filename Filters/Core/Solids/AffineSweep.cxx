@@ -214,7 +214,8 @@ public:
     const Points image = map.apply(this->Source);
     const Index n = image.rows();
     const Index step = std::max<Index>(1, n / Most);
-    const auto count = static_cast<double>(Shares.size()) * static_cast<double>((n - 1) / step + 1);
+    const Index nodes = (n - 1) / step + 1;
+    const auto count = static_cast<double>(Shares.size()) * static_cast<double>(nodes);
     double sum = 0.0;
     for (Index i = 0; i < n; i += step)
     {

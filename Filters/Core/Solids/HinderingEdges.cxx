@@ -52,14 +52,12 @@ CageForecast forecastCage(const SolidCage& cage, std::size_t sides, const Parall
   forecast.notCertified = static_cast<Index>(bad.size());
   // The side of each node on a loop; -1 inside.
   std::vector<Index> sideOf(static_cast<std::size_t>(cage.source.rows()), -1);
-  Index quad = 0;
-  for (const Loop& loop : cage.loops)
+  const std::vector<Index> ofLoops = sidesOfLoops(cage);
+  for (std::size_t l = 0; l < cage.loops.size(); ++l)
   {
-    const Index side = cage.linking.quadSide[static_cast<std::size_t>(quad)];
-    quad += static_cast<Index>(loop.size()) * cage.linking.rings.numberOfLayers();
-    for (const Index node : loop)
+    for (const Index node : cage.loops[l])
     {
-      sideOf[static_cast<std::size_t>(node)] = side;
+      sideOf[static_cast<std::size_t>(node)] = ofLoops[l];
     }
   }
   for (const Index hex : bad)

@@ -5,7 +5,6 @@
 #include "Core/Surfaces/SurfacePart.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hexsweep
 {
@@ -13,16 +12,11 @@ namespace
 {
 constexpr Index RingsAtOnce = 8;
 
-/// Rows of the boundary's rings that one loop has.
-struct LoopRows
+double greatestDistance(const SweepBoundary& boundary, std::size_t loop, const TriangleSearch& side,
+  const ParallelFor& parallelFor)
 {
-  Index begin;
-  Index size;
-};
-
-double greatestDistance(const SweepBoundary& boundary, const LoopRows& loop,
-  const TriangleSearch& side, const ParallelFor& parallelFor)
-{
+  const Index begin = boundary.begins[loop];
+  const Index size = boundary.begins[loop + 1] - begin;
   Eigen::VectorXd ofLayers = Eigen::VectorXd::Zero(boundary.numberOfLayers());
   forPieces(parallelFor, ofLayers.size(), RingsAtOnce, [&](Index first, Index end) {
     Index near = -1;
@@ -30,10 +24,10 @@ double greatestDistance(const SweepBoundary& boundary, const LoopRows& loop,
     {
       const Points& below = boundary.rings[static_cast<std::size_t>(layer)];
       const Points& above = boundary.rings[static_cast<std::size_t>(layer) + 1];
-      for (Index j = 0; j < loop.size; ++j)
+      for (Index j = 0; j < size; ++j)
       {
-        const Index a = loop.begin + j;
-        const Index b = loop.begin + (j + 1) % loop.size;
+        const Index a = begin + j;
+        const Index b = begin + (j + 1) % size;
         const TrianglePoint found =
           side.closest(0.25 * (below.row(a) + below.row(b) + above.row(a) + above.row(b)), near);
         near = found.triangle;
@@ -48,21 +42,14 @@ double greatestDistance(const SweepBoundary& boundary, const LoopRows& loop,
 double greatestSideDistance(const SolidCage& cage, const SolidSurface& solid,
   const SweepTopology& topology, const ParallelFor& parallelFor)
 {
+  const std::vector<Index> sides = sidesOfLoops(cage);
   double greatest = 0.0;
-  LoopRows rows{ 0, 0 };
-  Index quad = 0;
-  for (const Loop& loop : cage.loops)
+  for (std::size_t l = 0; l < sides.size(); ++l)
   {
-    rows.size = static_cast<Index>(loop.size());
-    const auto side =
-      static_cast<std::size_t>(cage.linking.quadSide[static_cast<std::size_t>(quad)]);
-    const TriangleMesh surface =
-      surfacePart(solid.points, solid.triangles, topology.sides[side].triangles).mesh;
-    greatest = std::max(greatest,
-      greatestDistance(
-        cage.boundary, rows, TriangleSearch(surface.points, surface.triangles), parallelFor));
-    rows.begin += rows.size;
-    quad += rows.size * cage.linking.rings.numberOfLayers();
+    const SweepSide& side = topology.sides[static_cast<std::size_t>(sides[l])];
+    const TriangleMesh surface = surfacePart(solid.points, solid.triangles, side.triangles).mesh;
+    const TriangleSearch search(surface.points, surface.triangles);
+    greatest = std::max(greatest, greatestDistance(cage.boundary, l, search, parallelFor));
   }
   return greatest;
 }

@@ -25,12 +25,11 @@ constexpr double WorthSliding = 1.25;
 /// The side of each row of the boundary's nodes, by number in the topology.
 std::vector<Index> sidesOfRows(const SolidCage& cage)
 {
+  const std::vector<Index> ofLoops = sidesOfLoops(cage);
   std::vector<Index> sides;
-  Index quad = 0;
-  for (const Loop& loop : cage.loops)
+  for (std::size_t l = 0; l < cage.loops.size(); ++l)
   {
-    sides.insert(sides.end(), loop.size(), cage.linking.quadSide[at(quad)]);
-    quad += static_cast<Index>(loop.size()) * cage.linking.rings.numberOfLayers();
+    sides.insert(sides.end(), cage.loops[l].size(), ofLoops[l]);
   }
   return sides;
 }

@@ -335,4 +335,16 @@ SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress)
   cage.stages = stages.stages();
   return cage;
 }
+
+std::vector<Index> sidesOfLoops(const SolidCage& cage)
+{
+  std::vector<Index> sides;
+  Index quad = 0;
+  for (const Loop& loop : cage.loops)
+  {
+    sides.push_back(cage.linking.quadSide[at(quad)]);
+    quad += static_cast<Index>(loop.size()) * cage.linking.rings.numberOfLayers();
+  }
+  return sides;
+}
 }

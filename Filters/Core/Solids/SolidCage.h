@@ -59,6 +59,9 @@ struct SolidCage : SweepCage
  *        cannot be meshed or collapses; SolverFailure; Aborted.
  */
 SolidCage makeSolidCage(const SolidCageInput& input, const Progress& progress = {});
+
+/// The side of each loop, by number in the topology.
+std::vector<Index> sidesOfLoops(const SolidCage& cage);
 }
 
 #endif

@@ -13,12 +13,12 @@ namespace hexsweep
 {
 struct SweepChoice
 {
-  /// To be tried in this order until one gives a valid mesh: one, where a face is named, else up to
-  /// three, or five doubtful ones. Not empty.
+  /// The likeliest first: one, where a face is named, else up to three, or five doubtful ones. Not
+  /// empty.
   std::vector<SweepTopology> sweeps;
   std::size_t rivals = 1; ///< how many of the first have nearly the same score
-  bool isDoubtful =
-    false; ///< something grave speaks against all: the score does not tell them apart
+  /// Something grave speaks against all: the score does not tell the rivals apart, meshes do.
+  bool isDoubtful = false;
   SweepCandidates ranking; ///< empty where both caps are named
 };
 

@@ -5,6 +5,7 @@
 #include "Core/Solids/SolidMessages.h"
 #include "Core/Solids/SweepChoice.h"
 #include "Core/Solids/SweepForecast.h"
+#include "Core/Solids/SweepSize.h"
 #include "HexSweepAppend.h"
 #include "HexSweepArrays.h"
 #include "HexSweepReader.h"
@@ -16,9 +17,11 @@
 #include <vtkFieldData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace hexsweep
@@ -35,128 +38,201 @@ double badHexes(const BodyMesh& mesh)
   return mesh.hexes->GetFieldData()->GetArray(reports::NotCertified)->GetTuple1(0);
 }
 
+double meanOf(const BodyMesh& mesh)
+{
+  return mesh.hexes->GetFieldData()->GetArray(reports::MeanScaledJacobian)->GetTuple1(0);
+}
+
 double leastOf(const BodyMesh& mesh)
 {
   return mesh.hexes->GetFieldData()->GetArray(reports::MinScaledJacobian)->GetTuple1(0);
 }
 
+/// The least and mean scaled Jacobian together: the least alone is that of one hexahedron. One that
+/// is not positive counts nothing, untangling may change it.
+double qualityOf(const BodyMesh& mesh)
+{
+  return std::max(0.0, leastOf(mesh)) + meanOf(mesh);
+}
+
 bool isBetter(const BodyMesh& mesh, const BodyMesh& other)
 {
   return badHexes(mesh) != badHexes(other) ? badHexes(mesh) < badHexes(other)
-                                           : leastOf(mesh) > leastOf(other);
+                                           : qualityOf(mesh) > qualityOf(other);
 }
 
 /// A sweep to be tried.
 struct Trial
 {
   const SweepTopology* topology;
-  bool isRival;
-  /// Of a rough mesh, where one was made: not certified, the least scaled Jacobian, and what its
+  /// A mesh can have good hexahedra there only where it leaves the solid.
+  bool hasTangentRims;
+  /// Of a rough mesh: per cent of its hexahedra that are not certified, qualityOf(), and what its
   /// caps and sides allow.
-  double bad = 0.0;
-  double least = 1.0;
-  double floor = 1.0;
+  double bad = std::numeric_limits<double>::infinity();
+  double quality = 0.0;
+  double floor = 0.0;
+  std::string failure =
+    std::string(); ///< why there is no mesh, or no certified one; empty: not known
 };
 
-/// In the order of the choice; doubtful rivals in that of what a rough mesh of each is worth.
-std::vector<Trial> inOrder(const SweepChoice& choice, const Sweep& roughly)
+std::string nameOf(const Trial& trial)
 {
-  std::vector<Trial> trials;
-  for (const SweepTopology& topology : choice.sweeps)
+  return describeWay(trial.topology->sourceFaceIds, trial.topology->targetFaceIds);
+}
+
+void tryRoughly(const Sweep& roughly, Trial& trial)
+{
+  constexpr double Mended = 0.01; // a share that untangling deals with
+  try
   {
-    trials.push_back({ &topology, trials.size() < choice.rivals });
+    BodyMesh mesh;
+    roughly(*trial.topology, mesh);
+    trial.bad =
+      std::round(badHexes(mesh) / (Mended * static_cast<double>(mesh.hexes->GetNumberOfCells())));
+    trial.quality = qualityOf(mesh);
+    trial.floor = mesh.hexes->GetFieldData()->GetArray(reports::FloorScaledJacobian)->GetTuple1(0);
   }
-  if (!choice.isDoubtful || choice.rivals < 2)
+  catch (const InvalidInput& error)
   {
-    return trials;
+    trial.failure = std::string(": ") + error.what();
   }
-  const auto end = trials.begin() + static_cast<std::ptrdiff_t>(choice.rivals);
-  for (auto trial = trials.begin(); trial != end; ++trial)
+  catch (const SolverFailure& error)
   {
-    trial->bad = std::numeric_limits<double>::infinity();
-    try
-    {
-      BodyMesh mesh;
-      roughly(*trial->topology, mesh);
-      trial->bad = badHexes(mesh);
-      trial->least = leastOf(mesh);
-      trial->floor =
-        mesh.hexes->GetFieldData()->GetArray(reports::FloorScaledJacobian)->GetTuple1(0);
-    }
-    catch (const InvalidInput&)
-    {
-    }
-    catch (const SolverFailure&)
-    {
-    }
+    trial.failure = std::string(": ") + error.what();
   }
-  std::stable_sort(trials.begin(), end, [](const Trial& a, const Trial& b) {
-    return std::make_pair(a.bad, -a.least) < std::make_pair(b.bad, -b.least);
-  });
-  return trials;
+}
+
+/// Those worth more first, by a rough mesh of each; of equals in the order of the choice.
+std::vector<const Trial*> inOrder(const std::vector<Trial>& trials)
+{
+  std::vector<const Trial*> order;
+  for (const Trial& trial : trials)
+  {
+    order.push_back(&trial);
+  }
+  // What differs by less means nothing.
+  constexpr double Noticed = 1e-3;
+  const auto worth = [=](const Trial& trial) {
+    return std::make_tuple(trial.hasTangentRims, trial.bad, -std::round(trial.quality / Noticed));
+  };
+  std::stable_sort(order.begin(), order.end(),
+    [&](const Trial* a, const Trial* b) { return worth(*a) < worth(*b); });
+  return order;
+}
+
+/// What went wrong with the first so many.
+std::string failuresOf(const std::vector<Trial>& trials, std::size_t count)
+{
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    text += trials[i].failure.empty() ? "" : " " + nameOf(trials[i]) + trials[i].failure;
+  }
+  return text;
 }
 
 /**
  * Tries one sweep after the other until one gives a valid mesh; where its least scaled Jacobian is
- * low, rivals that may have a higher one as well. The best is taken.
+ * low, those that may have a higher one as well. The best is taken.
  *
  * @return what to tell the user.
  * @throw InvalidInput when none gives a mesh.
  */
-std::vector<std::string> bestOfSweeps(
-  const SweepChoice& choice, const Sweep& sweep, const Sweep& roughly, BodyMesh& best)
+std::vector<std::string> bestOfSweeps(const SolidSurface& surface, const SweepChoice& choice,
+  const Sweep& sweep, const Sweep& roughly, BodyMesh& best)
 {
-  std::vector<std::string> warnings;
-  std::string failed;
-  bool found = false;
-  bool valid = false;
-  for (const Trial& trial : inOrder(choice, roughly))
+  std::vector<Trial> trials;
+  for (const SweepTopology& topology : choice.sweeps)
   {
-    if (valid && !(trial.isRival && leastOf(best) < std::min(LowScaledJacobian, trial.floor)))
+    trials.push_back({ &topology, !forecastSweep(surface, topology).tangentRims.empty() });
+    if (choice.sweeps.size() > 1)
+    {
+      tryRoughly(roughly, trials.back());
+    }
+  }
+  std::vector<std::string> warnings;
+  std::optional<std::size_t> taken;
+  bool valid = false;
+  for (const Trial* next : inOrder(trials))
+  {
+    const auto place = static_cast<std::size_t>(next - trials.data());
+    Trial& trial = trials[place];
+    const double wanted = trial.hasTangentRims ? 0.0 : std::min(LowScaledJacobian, trial.floor);
+    if (valid && leastOf(best) >= wanted)
     {
       continue;
     }
-    const SweepTopology& topology = *trial.topology;
-    const std::string way = describeWay(topology.sourceFaceIds, topology.targetFaceIds);
-    BodyMesh mesh;
     try
     {
-      const SolidSweepResult result = sweep(topology, mesh);
-      const double bad = badHexes(mesh);
-      if (!found || isBetter(mesh, best))
+      BodyMesh mesh;
+      SolidSweepResult result = sweep(*trial.topology, mesh);
+      trial.failure = result.valid
+        ? ""
+        : " has " + describe(badHexes(mesh)) + " hexahedra that are not certified.";
+      if (!taken || isBetter(mesh, best))
       {
         best = std::move(mesh);
-        warnings = result.warnings;
-        if (!failed.empty())
-        {
-          warnings.insert(warnings.begin(),
-            "no source face is named, and this is the sweep " + way +
-              ", since others that looked better did not work:" + failed +
-              " Name SourceFaceIds if another sweep is meant.");
-        }
-        found = true;
-      }
-      if (!result.valid)
-      {
-        failed += " " + way + " has " + describe(bad) + " hexahedra that are not certified.";
+        warnings = std::move(result.warnings);
+        taken = place;
       }
       valid = valid || result.valid;
     }
     catch (const InvalidInput& error)
     {
-      failed += " " + way + ": " + error.what();
+      trial.failure = std::string(": ") + error.what();
     }
     catch (const SolverFailure& error)
     {
-      failed += " " + way + ": " + error.what();
+      trial.failure = std::string(": ") + error.what();
     }
   }
-  if (!found)
+  if (!taken)
   {
     throw InvalidInput("no source face is named, and of the sweeps that look best none works:" +
-      failed + " Name SourceFaceIds and TargetFaceIds if another sweep is meant.");
+      failuresOf(trials, trials.size()) +
+      " Name SourceFaceIds and TargetFaceIds if another sweep is meant.");
+  }
+  const std::string failed = failuresOf(trials, *taken);
+  if (!failed.empty())
+  {
+    warnings.insert(warnings.begin(),
+      "no source face is named, and this is the sweep " + nameOf(trials[*taken]) +
+        ", since others that looked better did not work:" + failed +
+        " Name SourceFaceIds if another sweep is meant.");
   }
   return warnings;
+}
+
+/// Of a mesh that tells what a sweep is worth: as fine as asked for up to some thousand hexahedra.
+SolidSweepSettings roughSettings(
+  const SolidSurface& surface, const SweepTopology& topology, const SolidSweepSettings& settings)
+{
+  constexpr Index MostHexes = 20000;
+  SolidSweepSettings rough = settings;
+  rough.mostHexes = MostHexes;
+  rough.hexes.ensureValid = false;
+  rough.hexes.improveQuality = false;
+  rough.hexes.isTrial = true;
+  rough.hexes.failIfInvalid = false;
+  const double wanted = settings.quadSize > 0.0 ? settings.quadSize : settings.size;
+  if (wanted > 0.0 && std::isfinite(wanted))
+  {
+    const double height = settings.layers.size > 0.0 ? settings.layers.size
+      : settings.size > 0.0                          ? settings.size
+                                                     : wanted;
+    const double layers = settings.layers.layers > 0
+      ? static_cast<double>(settings.layers.layers)
+      : std::max(1.0, sideLength(surface, topology) / height);
+    const double factor = std::max(
+      1.0, std::cbrt(expectedQuads(surface, topology, wanted) * layers / double(MostHexes)));
+    rough.size *= factor;
+    rough.quadSize *= factor;
+    rough.layers.size *= factor;
+    rough.layers.layers =
+      static_cast<Index>(std::ceil(static_cast<double>(settings.layers.layers) / factor));
+  }
+  return rough;
 }
 
 /// Sweeps one body between two caps. @return what to tell the user, with places of the body.
@@ -180,14 +256,9 @@ std::vector<std::string> sweepBetweenTwo(const SolidToSweep& solid, NamedCaps na
     return sweepSolid(
       solid, topology, own, stages, progressPart(progress, 0.03, 1.0), made.hexes, made.boundary);
   };
-  SolidSweepSettings raw = own;
-  raw.hexes.ensureValid = false;
-  raw.hexes.improveQuality = false;
-  raw.hexes.isTrial = true;
-  raw.hexes.failIfInvalid = false;
   const Sweep roughly = [&](const SweepTopology& topology, BodyMesh& made) {
-    return sweepSolid(
-      solid, topology, raw, stages, progressPart(progress, 0.03, 0.03), made.hexes, made.boundary);
+    return sweepSolid(solid, topology, roughSettings(surface, topology, own), stages,
+      progressPart(progress, 0.03, 0.03), made.hexes, made.boundary);
   };
   const bool isNamed = !named.sourceFaceIds.empty() || !named.targetFaceIds.empty();
   if (isNamed)
@@ -206,7 +277,7 @@ std::vector<std::string> sweepBetweenTwo(const SolidToSweep& solid, NamedCaps na
       }
     }
   }
-  std::vector<std::string> warnings = !isNamed ? bestOfSweeps(choice, sweep, roughly, mesh)
+  std::vector<std::string> warnings = !isNamed ? bestOfSweeps(surface, choice, sweep, roughly, mesh)
                                                : sweep(choice.sweeps.front(), mesh).warnings;
   std::vector<std::string> ranking;
   for (const std::string& line : describeRanking(choice.ranking))

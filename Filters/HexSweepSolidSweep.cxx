@@ -120,7 +120,8 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
     const double length = sideLength(solid.body.surface, topology);
     for (int trial = 0; trial < Trials; ++trial)
     {
-      const double factor = coarseningFor(length, result.quads.mesh.quads.rows(), width);
+      const double factor =
+        coarseningFor(length, result.quads.mesh.quads.rows(), width, settings.mostHexes);
       if (factor == 1.0)
       {
         break;
@@ -134,7 +135,7 @@ SizedQuads sizedQuads(const SolidToSweep& solid, const SweepTopology& topology,
       width = meanHexWidth(solid.body.surface, topology, result.quads.mesh);
     }
     const Index quads = result.quads.mesh.quads.rows();
-    result.layers.mostLayers = std::max<Index>(1, MostChosenHexes / quads);
+    result.layers.mostLayers = std::max<Index>(1, settings.mostHexes / quads);
     result.size = std::max(width, length / static_cast<double>(result.layers.mostLayers));
   }
   result.layers.size = result.size;

@@ -10,6 +10,7 @@
 #include "Core/CapQuads/SweepProjection.h"
 #include "Core/Linking/LinkingSides.h"
 #include "Core/Solids/SolidInput.h"
+#include "Core/Solids/SweepSize.h"
 #include "Core/Solids/SweepTopology.h"
 #include "Core/Stacks/PickedCaps.h"
 #include "HexSweepBodies.h"
@@ -51,6 +52,8 @@ struct SolidSweepSettings
   double chordTolerance = 0.0; ///< see vtkOneToOneSweep::SetChordTolerance()
   /// Where they name neither number, size nor positions, `size` counts.
   LayerRequest layers;
+  /// Where nobody asks for a size: more are made coarser.
+  Index mostHexes = MostChosenHexes;
   double matchTolerance = 1e-6;
   ProjectionMethod projection = ProjectionMethod::Harmonic;
   Weights weights = Weights::Cotangent;

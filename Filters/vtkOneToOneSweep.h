@@ -104,7 +104,9 @@ public:
 
   ///@{
   /// Ids of the faces that are the source cap, in any order. None (the default): the sweep is
-  /// found, see vtkSweepCandidates; up to three are tried until all hexahedra are certified.
+  /// found, see vtkSweepCandidates. Up to three (five where something grave speaks against all) are
+  /// meshed roughly, and swept in the order of what these meshes are worth until all hexahedra are
+  /// certified.
   void AddSourceFaceId(vtkIdType id);
   void RemoveAllSourceFaceIds();
   int GetNumberOfSourceFaceIds() const { return static_cast<int>(this->SourceFaceIds.size()); }

@@ -16,6 +16,16 @@ PrincipalAxes principalAxes(const Eigen::Matrix3d& symmetric)
   return { solver.eigenvalues(), solver.eigenvectors() };
 }
 
+GeneralizedAxes generalizedAxes(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(a, b);
+  if (solver.info() != Eigen::Success)
+  {
+    return {};
+  }
+  return { solver.eigenvalues(), solver.eigenvectors() };
+}
+
 Eigen::Matrix2d symmetricRoot(const Eigen::Matrix2d& matrix)
 {
   const double root = std::sqrt(matrix.determinant());

@@ -18,6 +18,15 @@ struct PrincipalAxes
 /// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower triangle is read.
 PrincipalAxes principalAxes(const Eigen::Matrix3d& symmetric);
 
+struct GeneralizedAxes
+{
+  Eigen::VectorXd values;  ///< Rising; empty where `b` is not positive definite.
+  Eigen::MatrixXd vectors; ///< In columns, in the same order, each with v^T b v = 1.
+};
+
+/// The v and k with a v = k b v, for a symmetric `a` and a symmetric positive definite `b`.
+GeneralizedAxes generalizedAxes(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
 /**
  * The symmetric square root of a symmetric positive definite matrix.
  *

@@ -225,7 +225,7 @@ std::optional<std::pair<FaceSet, FaceSet>> endsAlong(
   for (std::size_t f = 0; f < graph.faces.size(); ++f)
   {
     const FaceShape& face = graph.faces[f];
-    if (direction * face.spread * direction.transpose() > AlongDirection)
+    if (direction * face.spread() * direction.transpose() > AlongDirection)
     {
       (face.normal.dot(direction) > 0.0 ? above : below)[f] = 1;
     }

@@ -19,6 +19,10 @@ Points shapes(FaceGraph& graph)
 {
   const SolidSurface& solid = graph.solid;
   const Index m = solid.triangles.rows();
+  const Eigen::RowVector3d least = solid.points.colwise().minCoeff();
+  const Eigen::RowVector3d most = solid.points.colwise().maxCoeff();
+  graph.center = 0.5 * least + 0.5 * most;
+  graph.radius = 0.5 * (most - least).norm();
   Points normals(m, 3);
   graph.faces.resize(graph.patches.ids.size());
   graph.triangleAreas.resize(static_cast<std::size_t>(m));
@@ -36,13 +40,17 @@ Points shapes(FaceGraph& graph)
     face.area += area;
     face.center += area / 3.0 * (a + b + c);
     face.normal += area * normal;
-    face.spread += area * normal.transpose() * normal;
+    Eigen::Matrix<double, 1, 6> line;
+    line << normal, ((a + b + c) / 3.0 - graph.center).cross(normal) / graph.radius;
+    face.moment += area * line.tail<3>();
+    face.lines += area * line.transpose() * line;
   }
   for (FaceShape& face : graph.faces)
   {
     face.center /= face.area;
     face.normal /= face.area;
-    face.spread /= face.area;
+    face.moment /= face.area;
+    face.lines /= face.area;
   }
   return normals;
 }
@@ -161,7 +169,7 @@ std::size_t FaceGraph::faceBeyond(Index half) const
 
 FaceGraph makeFaceGraph(const SolidSurface& solid)
 {
-  FaceGraph graph{ solid, HalfEdgeTriangles(solid.triangles), {}, {}, {}, {}, {}, {}, {}, {}, 0 };
+  FaceGraph graph{ solid, HalfEdgeTriangles(solid.triangles), {}, {}, {}, {}, {}, {}, {}, {} };
   graph.patches = findFacePatches(solid, graph.halfEdges);
   graph.patchNeighbors = patchNeighbors(graph.patches, graph.halfEdges);
   measureTurns(graph, shapes(graph));

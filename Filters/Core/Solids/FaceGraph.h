@@ -15,17 +15,26 @@
 namespace hexsweep
 {
 /// How a face lies in space.
+/// Of lines in Pluecker coordinates (direction, moment): mean of their dyads.
+using NormalLines = Eigen::Matrix<double, 6, 6>;
+
 struct FaceShape
 {
   double area = 0.0;
   Eigen::RowVector3d center = Eigen::RowVector3d::Zero(); ///< of the area
   /// Mean of the unit normals by area: its length is 1 for a plane face, 0 for a closed tube.
   Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
-  /// Mean of n^T n by area, n the unit normals: d M d^T is the mean of (n d)^2.
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  Eigen::RowVector3d moment = Eigen::RowVector3d::Zero(); ///< mean of r x n by area, see `lines`
+  /// Mean of l^T l by area, l = (n, r x n) the lines of the unit normals n at the places r from
+  /// FaceGraph::center in units of FaceGraph::radius: v L v^T is the mean square of the velocity
+  /// across the face in the rigid motion v.
+  NormalLines lines = NormalLines::Zero();
   std::vector<Index> patches;      ///< see FacePatches; a cap's face has one
   std::vector<Index> borderPoints; ///< shared with other faces, rising
   Index innerPoints = 0;           ///< number of the others
+
+  /// Mean of n^T n by area, n the unit normals: d M d^T is the mean of (n d)^2.
+  Eigen::Matrix3d spread() const { return this->lines.topLeftCorner<3, 3>(); }
 };
 
 /// Two faces with a common border. Faces go by numbers: their place among FacePatches::ids.
@@ -53,6 +62,8 @@ struct FaceGraph
   std::vector<FaceContact> contacts; ///< by first face, then second
   std::vector<std::vector<std::size_t>> contactsOfFace;
   Index genus = 0; ///< number of handles (through holes) of the solid
+  Eigen::RowVector3d center = Eigen::RowVector3d::Zero(); ///< of the points' box
+  double radius = 1.0;                                    ///< of the points' box
 
   double edgeLength(Index half) const;
   std::size_t faceBeyond(Index half) const; ///< the face on the other side of a half-edge

@@ -37,7 +37,7 @@ std::vector<Eigen::RowVector3d> sideDirections(const FaceGraph& graph)
     Eigen::RowVector3d direction = face.normal;
     if (face.normal.norm() < Plane)
     {
-      direction = principalAxes(face.spread).axes.col(0).transpose();
+      direction = principalAxes(face.spread()).axes.col(0).transpose();
     }
     direction.normalize();
     const auto known = std::find_if(directions.begin(), directions.end(),

@@ -19,10 +19,8 @@ namespace
 constexpr std::size_t MostTried = 3;
 constexpr std::size_t MostDoubtful = 5;
 /// A sweep is not worth a trial where its score is less than this share of the best one's.
-constexpr double LeastShare = 0.25;
-/// A sweep that comes so near to the best in score may well give the better mesh.
-constexpr double RivalShare = 0.8;
-/// Grave things speak against a sweep of a score below this.
+constexpr double LeastShare = 0.2;
+/// Grave things speak against a sweep of a score below this: then more are tried.
 constexpr double DoubtfulScore = 0.5;
 
 [[noreturn]] void failOnRanking(const SolidSurface& solid, const SweepCandidates& ranking)
@@ -52,15 +50,11 @@ SweepChoice bestSweeps(const SolidSurface& solid)
   SweepChoice choice;
   choice.ranking = findSweepCandidates(solid);
   const double best = choice.ranking.list.empty() ? 0.0 : choice.ranking.list.front().score;
-  choice.isDoubtful = best < DoubtfulScore;
-  const std::size_t most = choice.isDoubtful ? MostDoubtful : MostTried;
+  const std::size_t most = best < DoubtfulScore ? MostDoubtful : MostTried;
   for (const SweepCandidate& candidate : choice.ranking.list)
   {
-    const bool isRival = candidate.score >= RivalShare * best;
-    if (candidate.fits && candidate.score >= LeastShare * best &&
-      choice.sweeps.size() < (isRival ? most : MostTried))
+    if (candidate.fits && candidate.score >= LeastShare * best && choice.sweeps.size() < most)
     {
-      choice.rivals += isRival && !choice.sweeps.empty() ? 1 : 0;
       choice.sweeps.push_back(
         sweepBetween(solid, candidate.sourceFaceIds, candidate.targetFaceIds));
     }

@@ -13,12 +13,9 @@ namespace hexsweep
 {
 struct SweepChoice
 {
-  /// The likeliest first: one, where a face is named, else up to three, or five doubtful ones. Not
-  /// empty.
+  /// The likeliest first: one, where a face is named, else up to three, or five where something grave
+  /// speaks against all. Not empty.
   std::vector<SweepTopology> sweeps;
-  std::size_t rivals = 1; ///< how many of the first have nearly the same score
-  /// Something grave speaks against all: the score does not tell the rivals apart, meshes do.
-  bool isDoubtful = false;
   SweepCandidates ranking; ///< empty where both caps are named
 };
 

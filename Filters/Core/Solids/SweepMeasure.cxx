@@ -3,12 +3,14 @@
 
 #include "Core/Common/Constants.h"
 #include "Core/Common/DenseAlgebra.h"
+#include "Core/Solids/SideMotion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <utility>
 
@@ -44,7 +46,11 @@ public:
   SweepMeasure measure()
   {
     this->measureHeight();
-    this->measureLeaning();
+    this->findMotion();
+    if (!this->Motion)
+    {
+      this->measureLeaning();
+    }
     this->measureTurning();
     return std::move(this->Result);
   }
@@ -66,6 +72,33 @@ private:
     this->Result.leastShare = least / most;
   }
 
+  /// Where the sides lie along a rigid motion it tells exactly what is else told by distances.
+  void findMotion()
+  {
+    constexpr double Along = 0.02; // of the facets of bent sides
+    constexpr double Turned = 1e-3;
+    const SideMotion found = findSideMotion(this->Graph, this->IsSide, this->Source, this->Target);
+    if (!(found.slip < Along))
+    {
+      return;
+    }
+    this->Motion = found.motion;
+    this->Result.leaning = found.slip;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const CapCandidate* cap : { &this->Source, &this->Target })
+    {
+      for (const Index p : cap->rimPoints)
+      {
+        const double speed = this->Motion->at(this->Graph.solid.points.row(p)).norm();
+        least = std::min(least, speed);
+        most = std::max(most, speed);
+      }
+    }
+    this->Result.leastShare = least / most;
+    this->Result.isTurned = this->Motion->angular.norm() * this->Graph.radius > Turned * most;
+  }
+
   void measureLeaning()
   {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -74,7 +107,7 @@ private:
     {
       if (this->IsSide[f])
       {
-        spread += this->Graph.faces[f].area * this->Graph.faces[f].spread;
+        spread += this->Graph.faces[f].area * this->Graph.faces[f].spread();
         area += this->Graph.faces[f].area;
       }
     }
@@ -84,6 +117,15 @@ private:
   /// How much an edge runs across the sweep: 0 along a column, 1 along a layer.
   double acrossness(Index half, double length) const
   {
+    if (this->Motion)
+    {
+      const Eigen::RowVector3d from =
+        this->Graph.solid.points.row(this->Graph.halfEdges.from(half));
+      const Eigen::RowVector3d to = this->Graph.solid.points.row(this->Graph.halfEdges.to(half));
+      const Eigen::RowVector3d velocity = this->Motion->at(0.5 * (from + to));
+      const double along = (to - from).dot(velocity) / (length * velocity.norm());
+      return 1.0 - std::min(1.0, along * along);
+    }
     const auto from = static_cast<std::size_t>(this->Graph.halfEdges.from(half));
     const auto to = static_cast<std::size_t>(this->Graph.halfEdges.to(half));
     const double a = this->FromSource[from] + this->FromTarget[from];
@@ -216,6 +258,7 @@ private:
   const std::vector<double>& FromSource;
   const std::vector<double>& FromTarget;
   std::vector<char> IsSide; // one a face
+  std::optional<RigidMotion> Motion;
   std::size_t LoopsReached = 0;
   SweepMeasure Result;
 };

@@ -31,7 +31,10 @@ struct SweepMeasure
 {
   double height = 0.0;     ///< mean distance of the target rim from the source rim
   double leastShare = 1.0; ///< in [0, 1]: the shortest way over the longest one
-  double leaning = 0.0; ///< least mean of (n d)^2 over all d: 0 where sides lie along one direction
+  /// SideMotion::slip where the sides lie along a rigid motion, else the least mean of (n d)^2 over
+  /// all directions d.
+  double leaning = 0.0;
+  bool isTurned = false; ///< along a rigid motion that is no shift
   /// Sum over sharp side edges of length across the sweep * angle^2 (radians) over the rims' mean
   /// length: 0 for a prism, about 5 for a step that goes all round, 2.5 for a right-angled bend.
   double turning = 0.0;

@@ -125,8 +125,9 @@ std::string describeSweep(
       describe(std::round(100.0 * measure.leastShare)) + " % of the longest)");
   if (words.empty())
   {
-    return measure.leaning < Straight && measure.turning < Straight ? "straight prism"
-                                                                    : "good caps and sides";
+    return measure.leaning < Straight && measure.turning < Straight && !measure.isTurned
+      ? "straight prism"
+      : "good caps and sides";
   }
   std::stable_sort(
     words.begin(), words.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

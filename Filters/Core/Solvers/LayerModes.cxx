@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/LayerModes.h"
 
+#include "Core/Common/DenseAlgebra.h"
 #include "Core/Common/Errors.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
+#include <utility>
 
 namespace hexsweep
 {
@@ -74,15 +74,14 @@ void solveEigenproblem(
       stiffness(k, k + 1) = stiffness(k + 1, k) = -1.0 / heights[k + 1];
     }
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-    stiffness, mass.middleCols(1, inner));
-  if (solver.info() != Eigen::Success || !(solver.eigenvalues().minCoeff() > 0.0))
+  GeneralizedAxes axes = generalizedAxes(stiffness, mass.middleCols(1, inner));
+  if (axes.values.size() == 0 || !(axes.values.minCoeff() > 0.0))
   {
     throw SolverFailure("the modes of the layers could not be found: their heights differ by too "
                         "many orders of magnitude.");
   }
-  modes.eigenvalues = solver.eigenvalues();
-  modes.functions = solver.eigenvectors();
+  modes.eigenvalues = std::move(axes.values);
+  modes.functions = std::move(axes.vectors);
 }
 }
 

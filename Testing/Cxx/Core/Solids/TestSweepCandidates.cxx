@@ -134,6 +134,24 @@ TEST(SweepCandidates, RoundSolids)
     << "a wedge";
 }
 
+TEST(SweepCandidates, WideRevolutionsAreSweptRoundTheirAxis)
+{
+  // Ways along the edges are shorter by the inner side than along the outer one.
+  const std::vector<std::vector<Eigen::RowVector2d>> sections = { test::circle(24, 1.0),
+    { { -0.9, -0.4 }, { 0.9, -0.5 }, { 0.4, 0.7 } },
+    { { -0.7, -0.5 }, { 0.6, -0.8 }, { 0.9, 0.3 }, { 0.1, 0.9 }, { -0.8, 0.4 } } };
+  for (const auto& section : sections)
+  {
+    for (const double degrees : { 90.0, 250.0, 320.0 })
+    {
+      EXPECT_EQ(bestCaps(sweptSolid(section, static_cast<int>(degrees / 15.0),
+                  test::roundBend(1.4, degrees * Pi / 180.0), sideOfItsOwn)),
+        Ends)
+        << section.size() << " corners, " << degrees << " degrees";
+    }
+  }
+}
+
 TEST(SweepCandidates, AHalfPipeIsSweptAlongOrThroughItsWall)
 {
   // A thin wall, bent by 180 degrees: inner and outer face are sides 4 and 2 of the rectangle.

@@ -47,7 +47,6 @@ TEST(SweepChoice, AtMostThreeAreTried)
   const SweepChoice choice = chooseSweeps(makeSolidSurface(box(2, 3, 4)), {}, {});
   ASSERT_EQ(choice.sweeps.size(), 3u);
   EXPECT_EQ(choice.sweeps[0].sourceFaceIds, Ids{ 1 }); // the shortest way
-  EXPECT_FALSE(choice.isDoubtful);
   const std::vector<std::string> lines = hexsweep::describeRanking(choice.ranking);
   ASSERT_EQ(lines.size(), choice.ranking.list.size());
   EXPECT_EQ(lines[0].rfind("1: from face 1 to face 22, score 0.9", 0), 0u) << lines[0];

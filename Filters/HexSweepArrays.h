@@ -269,6 +269,8 @@ constexpr const char* GreatestImprint = "SweepReportGreatestImprint";
 // Solids with their true geometry.
 
 /// Ids: boundary nodes that were put on the true surfaces, and those that were left on the facets.
+constexpr const char* MovedBoundaryNodes = "SweepReportMovedBoundaryNodes";
+constexpr const char* GreatestBoundaryMove = "SweepReportGreatestBoundaryMove";
 constexpr const char* SnappedNodes = "SweepReportSnappedNodes";
 constexpr const char* UnsnappedNodes = "SweepReportUnsnappedNodes";
 /// Measure: the longest way that a node was moved for it.

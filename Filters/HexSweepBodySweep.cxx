@@ -21,7 +21,6 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace hexsweep
@@ -103,21 +102,31 @@ void tryRoughly(const Sweep& roughly, Trial& trial)
   }
 }
 
-/// Those worth more first, by a rough mesh of each; of equals in the order of the choice.
+/// Those worth more first, by a rough mesh of each; the first in the choice of those that are worth
+/// nearly as much as the best one.
 std::vector<const Trial*> inOrder(const std::vector<Trial>& trials)
 {
+  constexpr double Noticed = 0.02; // of the quality
   std::vector<const Trial*> order;
   for (const Trial& trial : trials)
   {
     order.push_back(&trial);
   }
-  // What differs by less means nothing.
-  constexpr double Noticed = 1e-3;
-  const auto worth = [=](const Trial& trial) {
-    return std::make_tuple(trial.hasTangentRims, trial.bad, -std::round(trial.quality / Noticed));
+  const auto grave = [](const Trial& trial) {
+    return std::make_pair(trial.hasTangentRims, trial.bad);
   };
-  std::stable_sort(order.begin(), order.end(),
-    [&](const Trial* a, const Trial* b) { return worth(*a) < worth(*b); });
+  std::stable_sort(order.begin(), order.end(), [&](const Trial* a, const Trial* b) {
+    return std::make_pair(grave(*a), -a->quality) < std::make_pair(grave(*b), -b->quality);
+  });
+  const Trial& best = *order.front();
+  const auto first =
+    std::min_element(order.begin(), order.end(), [&](const Trial* a, const Trial* b) {
+      const auto isNear = [&](const Trial& trial) {
+        return grave(trial) == grave(best) && trial.quality >= best.quality - Noticed;
+      };
+      return std::make_pair(!isNear(*a), a) < std::make_pair(!isNear(*b), b);
+    });
+  std::rotate(order.begin(), first, first + 1);
   return order;
 }
 

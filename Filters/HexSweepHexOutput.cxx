@@ -56,6 +56,11 @@ void fillGrid(vtkPoints* points, vtkIdTypeArray* connectivity, Index layers,
     newLayerNumbers(static_cast<Index>(source.cellIds.size()), layers, part(0.9, 1.0)));
 }
 
+bool isAutomatic(const HexOutputSettings& settings)
+{
+  return static_cast<InteriorKind>(settings.method) == InteriorKind::Automatic;
+}
+
 void setQualities(
   const std::vector<HexQuality>& qualities, const Progress& progress, QualityArrays& arrays)
 {
@@ -69,18 +74,23 @@ void setQualities(
 }
 }
 
-HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
-  const HexOutputSettings& settings, StageClock& stages, const Progress& progress,
-  vtkUnstructuredGrid* output)
+std::vector<InteriorStart> startsOf(const SweepCage& cage, const HexOutputSettings& settings)
 {
-  checkHexBudget(
-    static_cast<double>(cage.quads.rows()) * static_cast<double>(cage.boundary.numberOfLayers()),
-    "Use coarser quads or fewer layers.");
-  const auto method = static_cast<InteriorKind>(settings.method);
-  const bool automatic = method == InteriorKind::Automatic;
+  if (settings.points)
+  {
+    return { { "Slid boundary", [&settings](const SweepCage&, const Progress&, const ParallelFor&) {
+                return *settings.points;
+              } } };
+  }
+  return interiorStarts(
+    static_cast<InteriorKind>(settings.method), cage.isRuled, windingOf(cage.boundary));
+}
+
+InteriorOptions interiorOptions(const HexOutputSettings& settings, const Progress& progress)
+{
   InteriorOptions options;
   options.ensureValid = settings.ensureValid;
-  if (!settings.ensureValid || !settings.improveQuality || !automatic)
+  if (!settings.ensureValid || !settings.improveQuality || !isAutomatic(settings))
   {
     options.polishingRounds = settings.isTrial ? 1 : 0;
   }
@@ -90,9 +100,20 @@ HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
   {
     options.precision = Precision::Single;
   }
+  return options;
+}
+
+HexOutput writeHexes(const SweepCage& cage, const SourceAttributes& source,
+  const HexOutputSettings& settings, StageClock& stages, const Progress& progress,
+  vtkUnstructuredGrid* output)
+{
+  checkHexBudget(
+    static_cast<double>(cage.quads.rows()) * static_cast<double>(cage.boundary.numberOfLayers()),
+    "Use coarser quads or fewer layers.");
+  const bool automatic = isAutomatic(settings);
+  const InteriorOptions options = interiorOptions(settings, progress);
   SweepInterior interior =
-    sweepInterior(cage, interiorStarts(method, cage.isRuled, windingOf(cage.boundary)), options,
-      progressPart(progress, 0.0, 0.9));
+    sweepInterior(cage, startsOf(cage, settings), options, progressPart(progress, 0.0, 0.9));
   stages.finish(stagesOf(interior.steps));
   const Index layers = cage.boundary.numberOfLayers();
   vtkSmartPointer<vtkIdTypeArray> connectivity = newSweptConnectivity(cage.quads,

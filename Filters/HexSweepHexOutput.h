@@ -26,9 +26,10 @@ struct HexOutputSettings
   bool improveQuality = true;
   bool certify = true;
   bool failIfInvalid = false;
-  bool isTrial = false;  ///< to be compared: polished a little, though nothing is untangled
-  int precision = 0;     ///< a vtkAlgorithm::DesiredOutputPrecision
-  Reflection reflection; ///< of the cage, undone in the output
+  bool isTrial = false; ///< to be compared: polished a little, though nothing is untangled
+  int precision = 0;    ///< a vtkAlgorithm::DesiredOutputPrecision
+  const Points* points = nullptr; ///< of SweepInterior, to begin with in place of a method's
+  Reflection reflection;          ///< of the cage, undone in the output
 };
 
 /// Where the attributes of a cage's points and quads come from.
@@ -44,6 +45,10 @@ struct HexOutput
   bool sourceIsBottom = true;        ///< see SweepInterior; of the output
   std::vector<std::string> warnings; ///< what to tell the user
 };
+
+/// How writeHexes() fills a cage.
+std::vector<InteriorStart> startsOf(const SweepCage& cage, const HexOutputSettings& settings);
+InteriorOptions interiorOptions(const HexOutputSettings& settings, const Progress& progress);
 
 /**
  * Fills a cage and writes points, hexahedra, their attributes, quality and report. Messages have

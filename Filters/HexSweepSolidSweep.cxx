@@ -2,6 +2,7 @@
 #include "HexSweepSolidSweep.h"
 
 #include "Core/Common/Describe.h"
+#include "Core/Solids/BoundarySliding.h"
 #include "Core/Solids/FaceQuads.h"
 #include "Core/Solids/FoundTarget.h"
 #include "Core/Solids/GeometrySnap.h"
@@ -57,6 +58,12 @@ void addSnapReport(const GeometrySnap& snap, vtkFieldData* fieldData)
   addReport(fieldData, reports::SnappedNodes, snap.moved);
   addReport(fieldData, reports::UnsnappedNodes, snap.left);
   addReport(fieldData, reports::GreatestSnap, snap.greatestMove);
+}
+
+void addSlideReport(const std::optional<SlidBoundary>& slid, vtkFieldData* fieldData)
+{
+  addReport(fieldData, reports::MovedBoundaryNodes, slid ? slid->moved : Index{ 0 });
+  addReport(fieldData, reports::GreatestBoundaryMove, slid ? slid->greatestMove : 0.0);
 }
 
 /// Empty where all nodes are on the geometry.
@@ -216,6 +223,19 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
                                     : makeSolidCage(input, progress);
 }
 
+/// Nothing where it is not asked for, or no hexahedron would be better for it.
+std::optional<SlidBoundary> slidBoundary(const SolidToSweep& solid, const SweepTopology& topology,
+  const SolidSweepSettings& settings, const Progress& progress, const SolidCage& cage)
+{
+  if (!settings.moveBoundaryNodes)
+  {
+    return std::nullopt;
+  }
+  const ReadBody& body = solid.body;
+  return slideBoundary(body.surface, topology, body.geometry.get(), cage,
+    startsOf(cage, settings.hexes), interiorOptions(settings.hexes, progress), progress);
+}
+
 SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& topology,
   const SolidSweepSettings& settings, StageClock& stages, const Progress& progress,
   vtkUnstructuredGrid* hexes, vtkUnstructuredGrid* boundary)
@@ -250,8 +270,20 @@ SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& top
   passSolidFields(solid.data, boundary->GetFieldData());
   HexOutputSettings hexSettings = settings.hexes;
   hexSettings.reflection = solid.body.solid.reflection;
+  const std::optional<SlidBoundary> slid =
+    slidBoundary(solid, topology, settings, progressPart(progress, 0.5, 0.8), cage);
+  if (slid)
+  {
+    cage = slid->cage;
+    hexSettings.points = &slid->points;
+  }
+  if (settings.moveBoundaryNodes)
+  {
+    stages.finish("Move boundary nodes");
+    addSlideReport(slid, hexes->GetFieldData());
+  }
   const HexOutput output = writeHexes(
-    cage, sized.quads.attributes, hexSettings, stages, progressPart(progress, 0.5, 0.97), hexes);
+    cage, sized.quads.attributes, hexSettings, stages, progressPart(progress, 0.8, 0.97), hexes);
   writeBoundary(cage, solid.body.surface, topology, output.sourceIsBottom,
     hexSettings.reflection.turnsOver(), hexes, boundary);
   if (solid.body.name.empty())

@@ -58,8 +58,9 @@ struct SolidSweepSettings
   ProjectionMethod projection = ProjectionMethod::Harmonic;
   Weights weights = Weights::Cotangent;
   TriangulationImprovement improvement = TriangulationImprovement::Automatic;
-  bool snapToGeometry = true; ///< see vtkOneToOneSweep::SetSnapToGeometry()
-  bool targetIsNamed = false; ///< one that is not may not lie behind the source
+  bool moveBoundaryNodes = false; ///< see vtkOneToOneSweep::SetMoveBoundaryNodes()
+  bool snapToGeometry = true;     ///< see vtkOneToOneSweep::SetSnapToGeometry()
+  bool targetIsNamed = false;     ///< one that is not may not lie behind the source
   HexOutputSettings hexes;
   /// Bodies with several caps are swept between all of them; nothing: they are not.
   std::optional<StackSweepSettings> stacks;

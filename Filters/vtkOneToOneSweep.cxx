@@ -160,6 +160,7 @@ void vtkOneToOneSweep::Execute(vtkInformationVector** inputs, vtkInformationVect
   settings.projection = projectionMethod("ProjectionMethod", this->ProjectionMethod);
   settings.weights = chosenWeights(this->Weights);
   settings.improvement = chosenImprovement(this->ImproveTriangulation);
+  settings.moveBoundaryNodes = this->MoveBoundaryNodes && this->EnsureValid;
   settings.hexes.method = this->Method;
   settings.hexes.ensureValid = this->EnsureValid;
   settings.hexes.improveQuality = this->ImproveQuality;
@@ -211,6 +212,7 @@ void vtkOneToOneSweep::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EnsureValid: " << (this->EnsureValid ? "On" : "Off") << "\n";
   os << indent << "ImproveQuality: " << (this->ImproveQuality ? "On" : "Off") << "\n";
   os << indent << "Certify: " << (this->Certify ? "On" : "Off") << "\n";
+  os << indent << "MoveBoundaryNodes: " << (this->MoveBoundaryNodes ? "On" : "Off") << "\n";
   os << indent << "SnapToGeometry: " << (this->SnapToGeometry ? "On" : "Off") << "\n";
   os << indent << "FailIfInvalid: " << (this->FailIfInvalid ? "On" : "Off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";

@@ -229,6 +229,16 @@ public:
   ///@}
 
   ///@{
+  /// Raise the lowest scaled Jacobians by moves of boundary nodes as well, each along its face of
+  /// the solid: nodes of the caps' rims and of CAD edges stay where they are. Costs several times
+  /// the interior. Reported as `SweepReportMovedBoundaryNodes` and
+  /// `SweepReportGreatestBoundaryMove`. Needs EnsureValid. Off by default.
+  vtkSetMacro(MoveBoundaryNodes, bool);
+  vtkGetMacro(MoveBoundaryNodes, bool);
+  vtkBooleanMacro(MoveBoundaryNodes, bool);
+  ///@}
+
+  ///@{
   /// Where the solid comes with its true surfaces: divide these as finely as the hexahedra ask for,
   /// and put the nodes of caps and sides on them, nodes of CAD edges on their curves, vertices
   /// exactly. A node whose quads would be turned over stays on the facets and is counted in a
@@ -286,6 +296,7 @@ private:
   int ImproveTriangulation = 1;
   bool EnsureValid = true;
   bool ImproveQuality = true;
+  bool MoveBoundaryNodes = false;
   bool SnapToGeometry = true;
   bool Certify = true;
   bool FailIfInvalid = false;

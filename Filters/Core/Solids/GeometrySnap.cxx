@@ -4,12 +4,12 @@
 #include "Core/Common/StandardIndex.h"
 #include "Core/Common/StoppablePieces.h"
 #include "Core/Geometry/TriangleSearch.h"
+#include "Core/Solids/CageNodes.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -30,123 +30,11 @@ constexpr double Farthest = 0.5;
 constexpr double StraightColumn = 1e-9;
 constexpr Index NodesAPiece = 256;
 
-/// A boundary quad as the snap needs it.
-struct FacedQuad
-{
-  std::array<Index, 4> nodes; ///< rows of Boundary::places
-  Index faceId;
-  bool isCap;
-  Place normal; ///< of its triangle
-};
-
-/// The boundary nodes of a cage, each once.
-struct Boundary
-{
-  std::vector<Index> points; ///< of the swept mesh
-  Points places;
-  std::vector<FacedQuad> quads;
-  std::vector<std::vector<Index>> quadsOf; ///< by node
-};
-
-/// Loop, and place on it; -1: a point on none.
-using Column = std::pair<std::size_t, Index>;
-
-/// By point of the source quads.
-std::vector<Column> columnPlaces(const RingStack& rings, Index points)
-{
-  std::vector<Column> columns(at(points), { 0, -1 });
-  for (std::size_t l = 0; l < rings.loops.size(); ++l)
-  {
-    for (std::size_t j = 0; j < rings.loops[l].size(); ++j)
-    {
-      columns[at(rings.loops[l][j])] = { l, static_cast<Index>(j) };
-    }
-  }
-  return columns;
-}
-
-Boundary boundaryOf(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology)
-{
-  const Index n = cage.source.rows();
-  const Index layers = cage.linking.rings.numberOfLayers();
-  const RingStack& rings = cage.linking.rings;
-  const std::vector<BoundaryQuad> quads = boundaryQuads(cage, solid, topology);
-  Boundary result;
-  std::vector<Index> rowOf(at((layers + 1) * n), -1);
-  const std::vector<Column> columnOf = columnPlaces(rings, n);
-  std::vector<Place> places;
-  const Index caps = 2 * cage.quads.rows();
-  for (std::size_t q = 0; q < quads.size(); ++q)
-  {
-    FacedQuad quad{};
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      const Index point = quads[q].points[c];
-      Index& row = rowOf[at(point)];
-      if (row < 0)
-      {
-        row = static_cast<Index>(places.size());
-        result.points.push_back(point);
-        const Index layer = point / n;
-        const Index i = point % n;
-        const auto& [l, j] = columnOf[at(i)];
-        places.emplace_back(layer == 0 ? cage.source.row(i)
-            : layer == layers          ? cage.target.row(i)
-                                       : rings.points.row(rings.tables[l](layer, j)));
-      }
-      quad.nodes[c] = row;
-    }
-    const Index triangle = quads[q].triangle;
-    const Place a = solid.points.row(solid.triangles(triangle, 0));
-    const Place b = solid.points.row(solid.triangles(triangle, 1));
-    const Place c = solid.points.row(solid.triangles(triangle, 2));
-    quad.normal = (b - a).cross(c - a);
-    quad.faceId = solid.faceIds[at(triangle)];
-    quad.isCap = static_cast<Index>(q) < caps;
-    result.quads.push_back(quad);
-  }
-  result.places.resize(static_cast<Index>(places.size()), 3);
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    result.places.row(static_cast<Index>(i)) = places[i];
-  }
-  result.quadsOf.resize(places.size());
-  for (std::size_t q = 0; q < result.quads.size(); ++q)
-  {
-    for (const Index node : result.quads[q].nodes)
-    {
-      result.quadsOf[at(node)].push_back(static_cast<Index>(q));
-    }
-  }
-  return result;
-}
-
-double shortestEdge(const Boundary& boundary, Index node)
-{
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Index q : boundary.quadsOf[at(node)])
-  {
-    const std::array<Index, 4>& nodes = boundary.quads[at(q)].nodes;
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      if (nodes[c] == node)
-      {
-        for (const std::size_t other : { (c + 1) % 4, (c + 3) % 4 })
-        {
-          shortest = std::min(
-            shortest, (boundary.places.row(nodes[other]) - boundary.places.row(node)).norm());
-        }
-      }
-    }
-  }
-  return shortest;
-}
-
 /// Where nodes belong.
 class Places
 {
 public:
-  Places(const SolidSurface& solid, const ModelGeometry& geometry, const Boundary& boundary)
+  Places(const SolidSurface& solid, const ModelGeometry& geometry, const CageNodes& boundary)
     : Solid(solid)
     , Geometry(geometry)
     , Nodes(boundary)
@@ -230,7 +118,7 @@ private:
 
   const SolidSurface& Solid;
   const ModelGeometry& Geometry;
-  const Boundary& Nodes;
+  const CageNodes& Nodes;
   TriangleSearch Facets;
 };
 
@@ -251,7 +139,7 @@ bool isTurned(const FacedQuad& quad, const Points& places)
 }
 
 /// Puts nodes back until no quad is turned over that was not before.
-void putBack(const Boundary& boundary, Points& places)
+void putBack(const CageNodes& boundary, Points& places)
 {
   std::vector<bool> wasTurned;
   for (const FacedQuad& quad : boundary.quads)
@@ -277,34 +165,6 @@ void putBack(const Boundary& boundary, Points& places)
   }
 }
 
-void setPlaces(const Boundary& boundary, const Points& places, SolidCage& cage)
-{
-  const Index n = cage.source.rows();
-  RingStack& rings = cage.linking.rings;
-  const Index layers = rings.numberOfLayers();
-  const std::vector<Column> columnOf = columnPlaces(rings, n);
-  for (std::size_t row = 0; row < boundary.points.size(); ++row)
-  {
-    const Index layer = boundary.points[row] / n;
-    const Index i = boundary.points[row] % n;
-    const Place place = places.row(static_cast<Index>(row));
-    if (layer == 0)
-    {
-      cage.source.row(i) = place;
-    }
-    if (layer == layers)
-    {
-      cage.target.row(i) = place;
-    }
-    const auto& [l, j] = columnOf[at(i)];
-    if (j >= 0)
-    {
-      rings.points.row(rings.tables[l](layer, j)) = place;
-    }
-  }
-  cage.boundary = gatherSweepBoundary(cage.source, cage.target, rings);
-}
-
 /// Whether all columns of the sides run straight.
 bool hasStraightColumns(const SweepBoundary& boundary)
 {
@@ -326,7 +186,7 @@ GeometrySnap snapToGeometry(const SolidSurface& solid, const SweepTopology& topo
   const ModelGeometry& geometry, SolidCage& cage, const Progress& progress,
   const ParallelFor& parallelFor)
 {
-  const Boundary boundary = boundaryOf(cage, solid, topology);
+  const CageNodes boundary = cageNodes(cage, solid, topology);
   const Places belongs(solid, geometry, boundary);
   Points places = boundary.places;
   const Index count = places.rows();

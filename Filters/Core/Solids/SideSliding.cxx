@@ -18,7 +18,7 @@ namespace
 {
 constexpr double PoorAtSides = 0.3;
 /// Of the corners of the sides' quads: hexahedra are not poor for their sides then.
-constexpr double GoodSine = 0.6;
+constexpr double SoundSine = 0.6;
 /// Of the least scaled Jacobian by moves inside alone.
 constexpr double WorthSliding = 1.25;
 
@@ -74,7 +74,7 @@ bool hasSlantedSides(const SolidCage& cage)
       sines.add(cornerSines(ringPoints(rings, l, k), ringPoints(rings, l, k + 1)));
     }
   }
-  return sines.least <= GoodSine;
+  return sines.least <= SoundSine;
 }
 
 std::optional<SolidCage> slideCageSides(const SolidCageInput& input, const SolidCage& cage,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The filter for several caps: outputs, sets, reports, reflections, several bodies, what it
 // refuses.
+#include "CapGrids.h"
 #include "Support/SolidShapes.h"
 #include "TestEvents.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same solid in other guises: turned over, numbered in another way, reflected.
 #include "BlockSolids.h"
+#include "CapGrids.h"
 
 #include <vtkIdTypeArray.h>
 
@@ -147,7 +148,7 @@ TEST_P(MirrorImages, ASolidThatIsTurnedOverOrRenumberedGivesTheSameMesh)
 {
   const Grid solid = test::solidGrid(GetParam());
   SolidSweep given(solid);
-  SolidSweep turned(test::turnedOver(solid));
+  SolidSweep turned(test::turnedOver(solid.GetPointer()));
   expectMirrored(given, turned, { 1.0, 1.0, 1.0 });
   SolidSweep other(renumbered(solid, 5));
   expectMirrored(given, other, { 1.0, 1.0, 1.0 });

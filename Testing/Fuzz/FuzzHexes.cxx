@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   using namespace hexsweep;
   fuzz::Input input(data, size);
-  test::HexBlock block = test::makeBlock(input.whole(1, 3));
+  test::HexBlock block = test::makeBlock(input.count(2, 3));
   const HexBoxes boxes = HexBoxes::Ones(block.hexes.rows(), 3);
   if (input.whole(0, 1) == 0)
   {

@@ -21,8 +21,8 @@ using namespace hexsweep;
 /// One of the meshes of a sweep is damaged.
 test::Sweep sweepFrom(fuzz::Input& input)
 {
-  const bool hole = input.whole(0, 1) == 1;
-  const int cells = hole ? 3 : static_cast<int>(input.whole(1, 4));
+  const bool hole = input.rarely(4);
+  const int cells = hole ? 3 : static_cast<int>(input.count(2, 4));
   const double twist = 3.0 * input.share();
   const double bulge = input.share();
   const auto motion = [=](double x, double y, double t) {
@@ -31,7 +31,7 @@ test::Sweep sweepFrom(fuzz::Input& input)
     return Eigen::RowVector3d(c * x - s * y + t, s * x + c * y, 2.0 * t + bulge * t * x * y);
   };
   test::Sweep sweep = test::makeSweep(
-    cells, cells, hole, test::evenLayers(static_cast<int>(input.whole(1, 4))), motion);
+    cells, cells, hole, test::evenLayers(static_cast<int>(input.count(2, 4))), motion);
   switch (input.whole(0, 3))
   {
     case 0:

@@ -21,6 +21,11 @@ Index Input::whole(Index from, Index to)
   return from + static_cast<Index>(value % span);
 }
 
+Index Input::count(Index few, Index many)
+{
+  return this->whole(1, this->rarely(16) ? many : few);
+}
+
 double Input::share()
 {
   const int high = this->byte();
@@ -134,6 +139,19 @@ void damageFaces(Input& input, Points& points, Faces& faces, Index kind)
       faces(face, corner) = points.rows() - 1;
   }
 }
+}
+
+double extentOf(const Points& points)
+{
+  const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+  return std::isfinite(extent) && extent > 0.0 ? extent : 1.0;
+}
+
+bool isLaborious(double size, double extent)
+{
+  constexpr double RefusedBelow = 1e-9;
+  constexpr double FewFrom = 0.1;
+  return size >= RefusedBelow * extent && size < FewFrom * extent;
 }
 
 void damagePoints(Input& input, Points& points)

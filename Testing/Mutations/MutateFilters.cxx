@@ -78,7 +78,7 @@ std::string wrongVerdict(vtkDataSet* hexes, const Events& events)
     hexahedra += verdict != 5.0;
     notCertified += verdict != 0.0 && verdict != 5.0;
     if (verdict == 0.0 && c % step == 0 &&
-      truthOf(cornersOfHex(hexes, c)).everywhere == Truth::NotPositive)
+      truthEverywhere(cornersOfHex(hexes, c)) == Truth::NotPositive)
     {
       return "hexahedron " + std::to_string(c) + " is certified and not valid";
     }

@@ -75,10 +75,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     checkCoordinates(sweep.target, sweep.quads, "target quads");
     const SurfaceTopology topology = checkSurface(sweep.quads, sweep.source.rows(), "source quads");
     checkCap(topology, "source quads");
-    fuzz::expectOrderly([&] { project(sweep, std::nullopt, input); });
+    if (input.whole(0, 3) == 0) // loops are matched by shape: most of an input's time
+    {
+      project(sweep, std::nullopt, input);
+      return;
+    }
     const RingStack rings =
       traceLinkingRings(sweep.source, topology.loops, sweep.linkingPoints, sweep.linkingQuads);
-    fuzz::expectOrderly([&] { project(sweep, rings, input); });
+    if (input.whole(0, 1) == 0)
+    {
+      project(sweep, rings, input);
+      return;
+    }
     matchTargetLoops(sweep.target, rings);
     SweepCage cage;
     cage.source = sweep.source;

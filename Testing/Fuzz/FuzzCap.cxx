@@ -28,7 +28,7 @@ TriangleMesh capFrom(fuzz::Input& input)
 CapQuadOptions optionsFrom(fuzz::Input& input, double extent)
 {
   CapQuadOptions options;
-  options.size = input.rarely(16) ? input.special() : (0.15 + 0.35 * input.share()) * extent;
+  options.size = input.rarely(16) ? input.special() : (0.3 + 0.4 * input.share()) * extent;
   options.chordTolerance = input.rarely(16) ? 0.1 : 0.0;
   return options;
 }

@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const double draft = 0.3 * input.share();
     StackOptions stack;
     const double extent = fuzz::extentOf(solid.points);
-    stack.size = input.rarely(16) ? input.special() : (0.2 + 0.2 * input.share()) * extent;
+    stack.size = input.rarely(16) ? input.special() : (0.3 + 0.3 * input.share()) * extent;
     stack.layers = input.count(2, 4) - 1;
     stack.imprintTolerance = 0.5 * input.share();
     for (const CapLikeFaces& faces : stackDirections(surface, draft))

@@ -72,7 +72,8 @@ Truth signOf(const Interval& value)
                          : Truth::Unknown;
 }
 
-using Integer = boost::multiprecision::cpp_int;
+/// Of any length; most are short enough to need no memory of their own.
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>>;
 
 Truth signOf(const Integer& value)
 {

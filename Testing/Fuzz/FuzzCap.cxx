@@ -46,13 +46,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto weights = static_cast<Weights>(input.whole(0, 1));
     const auto improvement = static_cast<TriangulationImprovement>(input.whole(0, 2));
     fuzz::expectOrderly([&] {
-      canonicalDiskMap(cap, treatment, weights, improvement, { 1e-8, 10 });
+      canonicalDiskMap(cap, treatment, weights, improvement, { 1e-8, 10 }, fuzz::patience());
     });
     const double extent = fuzz::extentOf(cap.points);
     const CapQuadOptions options = optionsFrom(input, extent);
     if (!fuzz::isLaborious(options.size, extent))
     {
-      meshCapWithQuads(cap, {}, options);
+      meshCapWithQuads(cap, {}, options, fuzz::patience());
     }
   });
   return 0;

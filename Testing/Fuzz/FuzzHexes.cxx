@@ -30,8 +30,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   fuzz::expectOrderly([&] {
-    const UntangledHexes untangled = untangleHexes(block.points, block.hexes, boxes, block.fixed);
-    polishHexes(untangled.points, block.hexes, block.fixed, 2);
+    const UntangledHexes untangled =
+      untangleHexes(block.points, block.hexes, boxes, block.fixed, {}, fuzz::patience());
+    polishHexes(untangled.points, block.hexes, block.fixed, 2, {}, fuzz::patience());
   });
   return 0;
 }

@@ -48,6 +48,12 @@ private:
   std::size_t Used = 0;
 };
 
+/**
+ * Asks to stop after a quarter of a second: damage makes a large mesh of a few inputs, and the
+ * work for some is bounded and long all the same. What does not hear it for a minute hangs.
+ */
+hexsweep::Progress patience();
+
 /// Runs the code under test: it may refuse its input by one of Core's errors, and do nothing else.
 void expectOrderly(const std::function<void()>& work);
 

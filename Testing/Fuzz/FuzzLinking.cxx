@@ -62,7 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     if (!fuzz::isLaborious(request.size, fuzz::extentOf(given.mesh.points)))
     {
-      meshLinkingSides(sweep.source, topology.loops, sides, request);
+      meshLinkingSides(sweep.source, topology.loops, sides, request, 1e-6, fuzz::patience());
     }
   });
   return 0;

@@ -59,7 +59,8 @@ void sweepBody(const SolidInput& body, const SolidOptions& options, fuzz::Input&
   const SweepTopology& topology = choice.sweeps.front();
   forecastSweep(surface, topology);
   const double quadSize = (input.rarely(8) ? 0.2 : 0.4) * fuzz::extentOf(canonical.input.points);
-  const SourceQuads quads = makeSourceQuads(canonical.input, surface, topology, quadSize);
+  const SourceQuads quads =
+    makeSourceQuads(canonical.input, surface, topology, quadSize, fuzz::patience());
   if (quads.mesh.quads.rows() > 100)
   {
     return; // large meshes tell no more, and take long
@@ -69,10 +70,11 @@ void sweepBody(const SolidInput& body, const SolidOptions& options, fuzz::Input&
   cageInput.layers.layers = input.count(2, 4);
   cageInput.leastTriangles = input.rarely(32) ? cageInput.leastTriangles : 10.0;
   cageInput.imprinted = quads.imprinted;
-  const SolidCage cage = makeUnhinderedCage(std::move(cageInput), {}, {});
+  const SolidCage cage = makeUnhinderedCage(std::move(cageInput), {}, fuzz::patience());
   InteriorOptions interior;
   interior.keepQualities = true;
-  sweepInterior(cage, interiorStarts(InteriorKind::Automatic, cage.isRuled), interior);
+  sweepInterior(
+    cage, interiorStarts(InteriorKind::Automatic, cage.isRuled), interior, fuzz::patience());
 }
 }
 

@@ -58,7 +58,7 @@ void project(const test::Sweep& sweep, const std::optional<RingStack>& rings, fu
   projection.method = static_cast<ProjectionMethod>(input.whole(0, 2));
   projection.ensureValid = input.whole(0, 1) == 1;
   projection.improveQuality = input.whole(0, 1) == 1;
-  projectSweep(projection);
+  projectSweep(projection, fuzz::patience());
 }
 }
 
@@ -99,8 +99,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.keepQualities = true;
     options.precision = input.whole(0, 1) == 1 ? Precision::Single : Precision::Double;
     const int lastMethod = static_cast<int>(interiorMethodNames().size()) - 1;
-    sweepInterior(
-      cage, interiorStarts(static_cast<InteriorKind>(input.whole(0, lastMethod))), options);
+    sweepInterior(cage, interiorStarts(static_cast<InteriorKind>(input.whole(0, lastMethod))),
+      options, fuzz::patience());
   });
   return 0;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <iterator>
 #include <limits>
 
@@ -54,6 +55,13 @@ double Input::special()
   return which < static_cast<Index>(std::size(Numbers)) ? Numbers[which] : this->bits();
 }
 
+hexsweep::Progress patience()
+{
+  constexpr std::clock_t Quarter = CLOCKS_PER_SEC / 4;
+  const std::clock_t begin = std::clock();
+  return [begin](double) { return std::clock() - begin < Quarter; };
+}
+
 void expectOrderly(const std::function<void()>& work)
 {
   try
@@ -64,6 +72,9 @@ void expectOrderly(const std::function<void()>& work)
   {
   }
   catch (const hexsweep::SolverFailure&)
+  {
+  }
+  catch (const hexsweep::Aborted&)
   {
   }
 }

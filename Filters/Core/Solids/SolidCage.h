@@ -35,10 +35,10 @@ struct SolidCageInput
   std::vector<FixedNode> imprinted = {}; ///< see SourceQuads::imprinted
   std::vector<bool> freeSides = {};      ///< see solidSides()
   double stepDepth = 1.0;                ///< see SideTube
-  double leastTriangles = 500.0;         ///< see SideTube
   ParallelFor parallelFor = {};
   /// What findAffineSweep() gave, where it was asked already.
   const std::optional<AffineSweep>* affine = nullptr;
+  double leastTriangles = 500.0; ///< see SideTube
 };
 
 struct SolidCage : SweepCage

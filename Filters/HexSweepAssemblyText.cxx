@@ -3,6 +3,10 @@
 
 #include "HexSweepHexText.h"
 
+#include "Core/Common/Errors.h"
+
+#include <algorithm>
+
 namespace hexsweep
 {
 namespace
@@ -60,5 +64,17 @@ std::vector<std::string> describeVolumes(const AssemblySweep& sweep,
     }
   }
   return sentences;
+}
+
+void checkAnyHexes(const AssemblySweep& sweep, const std::vector<Index>& counts,
+  const std::vector<std::string>& sentences)
+{
+  const auto volumes = static_cast<std::ptrdiff_t>(sweep.volumes.size());
+  if (std::all_of(counts.end() - volumes, counts.end(), [](Index n) { return n == 0; }))
+  {
+    throw InvalidInput("no volume of the assembly has hexahedra; what each of them lacks is told "
+                       "in a warning. " +
+      (sentences.empty() ? std::string() : sentences.front()));
+  }
 }
 }

@@ -17,6 +17,11 @@ namespace hexsweep
 /// @param volumes as they were swept. @param names of the volumes as they were given.
 std::vector<std::string> describeVolumes(const AssemblySweep& sweep,
   const std::vector<AssemblyVolume>& volumes, const std::vector<std::string>& names);
+
+/// @param counts see assemblyCounts(), of all ranks. @param sentences see describeVolumes().
+/// @throw InvalidInput where no volume has a hexahedron.
+void checkAnyHexes(const AssemblySweep& sweep, const std::vector<Index>& counts,
+  const std::vector<std::string>& sentences);
 }
 
 #endif

@@ -187,11 +187,14 @@ void vtkAssemblySweep::Execute(vtkInformationVector** inputs, vtkInformationVect
     isMine.push_back(rank == ranks.rank());
   }
   const AssemblySweep sweep = this->Sweep(volumes, std::move(planned), isMine, ranks);
-  for (const std::string& sentence : describeVolumes(sweep, volumes, names))
+  const std::vector<std::string> sentences = describeVolumes(sweep, volumes, names);
+  for (const std::string& sentence : sentences)
   {
     vtkWarningMacro(<< sentence);
   }
-  const AssemblyNumbers numbers = numberAssembly(sweep, ranks.greatest(assemblyCounts(sweep)));
+  const std::vector<Index> counts = ranks.greatest(assemblyCounts(sweep));
+  checkAnyHexes(sweep, counts, sentences);
+  const AssemblyNumbers numbers = numberAssembly(sweep, counts);
   vtkNew<vtkFieldData> fields;
   passSolidFields(port.data, fields);
   const NumberedAssembly assembly{ sweep, numbers, labels };

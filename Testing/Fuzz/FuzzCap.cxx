@@ -12,15 +12,25 @@ namespace
 {
 using namespace hexsweep;
 
+/// A plate with two holes of a cell at most, or a disk.
 TriangleMesh capFrom(fuzz::Input& input)
 {
+  if (input.whole(0, 2) == 0)
+  {
+    return test::disk(input.count(1, 3), input.whole(3, 9));
+  }
   const std::vector<test::Block> holes = { { 1, 1, 1, 1 }, { 3, 2, 1, 1 } };
-  const auto count = static_cast<std::ptrdiff_t>(input.whole(0, 2));
-  TriangleMesh cap = input.whole(0, 2) == 0
-    ? test::disk(input.whole(1, 3), input.whole(3, 9))
-    : test::plate(5, { holes.begin(), holes.begin() + count }, 0.3 * input.share());
-  fuzz::damage(input, cap.points, cap.triangles);
-  return cap;
+  const auto count = static_cast<std::ptrdiff_t>(input.count(2, 3)) - 1;
+  const int cells = count == 2 ? 5 : 3;
+  return test::plate(cells, { holes.begin(), holes.begin() + count }, 0.3 * input.share());
+}
+
+CapQuadOptions optionsFrom(fuzz::Input& input, double extent)
+{
+  CapQuadOptions options;
+  options.size = input.rarely(16) ? input.special() : (0.3 + 0.4 * input.share()) * extent;
+  options.chordTolerance = input.rarely(16) ? 0.1 : 0.0;
+  return options;
 }
 }
 
@@ -28,6 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   fuzz::Input input(data, size);
   TriangleMesh cap = capFrom(input);
+  fuzz::damage(input, cap.points, cap.triangles);
   fuzz::expectOrderly([&] {
     checkCoordinates(cap.points, cap.triangles, "cap");
     cap.triangles = orientFaces(cap.triangles, "cap");
@@ -35,14 +46,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto weights = static_cast<Weights>(input.whole(0, 1));
     const auto improvement = static_cast<TriangulationImprovement>(input.whole(0, 2));
     fuzz::expectOrderly([&] {
-      canonicalDiskMap(cap, treatment, weights, improvement, { 1e-8, 10 });
+      canonicalDiskMap(cap, treatment, weights, improvement, { 1e-8, 10 }, fuzz::patience());
     });
-    CapQuadOptions options;
-    options.size = input.whole(0, 15) == 0 ? input.special() : 0.2 + 0.8 * input.share();
-    options.chordTolerance = input.whole(0, 3) == 0 ? 0.1 : 0.0;
-    if (options.size > 0.1)
+    const double extent = fuzz::extentOf(cap.points);
+    const CapQuadOptions options = optionsFrom(input, extent);
+    if (!fuzz::isLaborious(options.size, extent))
     {
-      meshCapWithQuads(cap, {}, options);
+      meshCapWithQuads(cap, {}, options, fuzz::patience());
     }
   });
   return 0;

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   using namespace hexsweep;
   fuzz::Input input(data, size);
-  test::HexBlock block = test::makeBlock(input.whole(1, 3));
+  test::HexBlock block = test::makeBlock(input.count(2, 3));
   const HexBoxes boxes = HexBoxes::Ones(block.hexes.rows(), 3);
   if (input.whole(0, 1) == 0)
   {
@@ -30,8 +30,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   fuzz::expectOrderly([&] {
-    const UntangledHexes untangled = untangleHexes(block.points, block.hexes, boxes, block.fixed);
-    polishHexes(untangled.points, block.hexes, block.fixed, 2);
+    const UntangledHexes untangled =
+      untangleHexes(block.points, block.hexes, boxes, block.fixed, {}, fuzz::patience());
+    polishHexes(untangled.points, block.hexes, block.fixed, 2, {}, fuzz::patience());
   });
   return 0;
 }

@@ -24,8 +24,8 @@ using namespace hexsweep;
 /// Cubes of a grid, some left out, each plane of their surface one face or not.
 SolidInput solidFrom(fuzz::Input& input)
 {
-  const test::Cell size = { static_cast<int>(input.whole(1, 3)),
-    static_cast<int>(input.whole(1, 2)), static_cast<int>(input.whole(1, 3)) };
+  const test::Cell size = { static_cast<int>(input.count(2, 3)),
+    static_cast<int>(input.count(1, 2)), static_cast<int>(input.count(2, 3)) };
   const std::bitset<18> left(
     static_cast<unsigned long long>(input.whole(0, 3) == 0 ? input.whole(0, 65535) : 0));
   const auto place = [&](int i, int j, int k) {
@@ -58,20 +58,23 @@ void sweepBody(const SolidInput& body, const SolidOptions& options, fuzz::Input&
   const SweepChoice choice = chooseSweeps(surface, {}, {});
   const SweepTopology& topology = choice.sweeps.front();
   forecastSweep(surface, topology);
+  const double quadSize = (input.rarely(8) ? 0.2 : 0.4) * fuzz::extentOf(canonical.input.points);
   const SourceQuads quads =
-    makeSourceQuads(canonical.input, surface, topology, input.whole(0, 2) == 0 ? 0.5 : 1.0);
-  if (quads.mesh.quads.rows() > 200)
+    makeSourceQuads(canonical.input, surface, topology, quadSize, fuzz::patience());
+  if (quads.mesh.quads.rows() > 100)
   {
     return; // large meshes tell no more, and take long
   }
   SolidCageInput cageInput{ surface, topology, quads.mesh,
     sidePatches(canonical.input, surface, topology), {} };
-  cageInput.layers.layers = input.whole(1, 4);
+  cageInput.layers.layers = input.count(2, 4);
+  cageInput.leastTriangles = input.rarely(32) ? cageInput.leastTriangles : 10.0;
   cageInput.imprinted = quads.imprinted;
-  const SolidCage cage = makeUnhinderedCage(std::move(cageInput), {}, {});
+  const SolidCage cage = makeUnhinderedCage(std::move(cageInput), {}, fuzz::patience());
   InteriorOptions interior;
   interior.keepQualities = true;
-  sweepInterior(cage, interiorStarts(InteriorKind::Automatic, cage.isRuled), interior);
+  sweepInterior(
+    cage, interiorStarts(InteriorKind::Automatic, cage.isRuled), interior, fuzz::patience());
 }
 }
 

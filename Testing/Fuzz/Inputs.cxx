@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <iterator>
 #include <limits>
 
@@ -19,6 +20,11 @@ Index Input::whole(Index from, Index to)
     value = value << 8 | this->byte();
   }
   return from + static_cast<Index>(value % span);
+}
+
+Index Input::count(Index few, Index many)
+{
+  return this->whole(1, this->rarely(16) ? many : few);
 }
 
 double Input::share()
@@ -49,6 +55,13 @@ double Input::special()
   return which < static_cast<Index>(std::size(Numbers)) ? Numbers[which] : this->bits();
 }
 
+hexsweep::Progress patience()
+{
+  constexpr std::clock_t Quarter = CLOCKS_PER_SEC / 4;
+  const std::clock_t begin = std::clock();
+  return [begin](double) { return std::clock() - begin < Quarter; };
+}
+
 void expectOrderly(const std::function<void()>& work)
 {
   try
@@ -59,6 +72,9 @@ void expectOrderly(const std::function<void()>& work)
   {
   }
   catch (const hexsweep::SolverFailure&)
+  {
+  }
+  catch (const hexsweep::Aborted&)
   {
   }
 }
@@ -134,6 +150,19 @@ void damageFaces(Input& input, Points& points, Faces& faces, Index kind)
       faces(face, corner) = points.rows() - 1;
   }
 }
+}
+
+double extentOf(const Points& points)
+{
+  const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+  return std::isfinite(extent) && extent > 0.0 ? extent : 1.0;
+}
+
+bool isLaborious(double size, double extent)
+{
+  constexpr double RefusedBelow = 1e-9;
+  constexpr double FewFrom = 0.1;
+  return size >= RefusedBelow * extent && size < FewFrom * extent;
 }
 
 void damagePoints(Input& input, Points& points)

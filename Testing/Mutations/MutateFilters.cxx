@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HexSweepMutateFilters FIRST COUNT [SECONDS] (of one run the filter is printed): runs the filters
-// on mutated inputs number FIRST, FIRST + 1, ..., no longer than some seconds, and ends with 1
-// where one of them crashed, hung, lied or lost its way:
+// HexSweepMutateFilters FIRST COUNT [SECONDS] (of one run the filter and what it says are printed):
+// runs the filters on mutated inputs number FIRST, FIRST + 1, ..., no longer than some seconds, and
+// ends with 1 where one of them crashed, hung, lied or lost its way:
 // - the process lives, and no run takes longer than a minute of a processor;
 // - a filter either has an output or says in one error why it has none;
 // - a hexahedron that is certified is proved valid in exact numbers, and the report counts the
@@ -78,7 +78,7 @@ std::string wrongVerdict(vtkDataSet* hexes, const Events& events)
     hexahedra += verdict != 5.0;
     notCertified += verdict != 0.0 && verdict != 5.0;
     if (verdict == 0.0 && c % step == 0 &&
-      truthOf(cornersOfHex(hexes, c)).everywhere == Truth::NotPositive)
+      truthEverywhere(cornersOfHex(hexes, c)) == Truth::NotPositive)
     {
       return "hexahedron " + std::to_string(c) + " is certified and not valid";
     }
@@ -158,6 +158,13 @@ std::string run(std::uint64_t number, bool isAlone)
   const bool aborts = chance.oneIn(12);
   const unsigned long tag = aborts ? filter->AddObserver(vtkCommand::ProgressEvent, abort) : 0;
   filter->Update();
+  for (const std::vector<std::string>* texts : { &events.errors, &events.warnings })
+  {
+    for (std::size_t i = 0; i < texts->size() && isAlone; ++i)
+    {
+      std::cout << (*texts)[i] << '\n';
+    }
+  }
   const bool aborted = filter->GetAbortExecute() != 0 && !hasOutput(filter);
   std::string problem = problemOf(filter, events, aborted);
   if (problem.empty() && (aborted || chance.oneIn(8)))

@@ -53,6 +53,21 @@ namespace
 {
 using CellList = std::vector<Corners>;
 
+/// Copies a tuple of each array that has it; the last one of those that an earlier mutation left
+/// with fewer.
+void appendTuple(vtkDataSetAttributes* to, vtkDataSetAttributes* from, vtkIdType tuple)
+{
+  for (int a = 0; a < to->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* given = from->GetAbstractArray(a);
+    if (given->GetNumberOfTuples() > 0)
+    {
+      to->GetAbstractArray(a)->InsertNextTuple(
+        std::min(tuple, given->GetNumberOfTuples() - 1), given);
+    }
+  }
+}
+
 /// The grid on other cells; cell data where there are as many.
 Grid onCells(vtkUnstructuredGrid* grid, const CellList& cells, const std::vector<int>& types)
 {
@@ -68,11 +83,17 @@ Grid onCells(vtkUnstructuredGrid* grid, const CellList& cells, const std::vector
   if (changed->GetNumberOfCells() != grid->GetNumberOfCells())
   {
     vtkNew<vtkCellData> data;
-    data->CopyAllOn();
-    data->CopyAllocate(grid->GetCellData());
+    for (int a = 0; a < grid->GetCellData()->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* given = grid->GetCellData()->GetAbstractArray(a);
+      const vtkSmartPointer<vtkAbstractArray> copy = vtk::TakeSmartPointer(given->NewInstance());
+      copy->SetName(given->GetName());
+      copy->SetNumberOfComponents(given->GetNumberOfComponents());
+      data->AddArray(copy);
+    }
     for (vtkIdType c = 0; c < changed->GetNumberOfCells(); ++c)
     {
-      data->CopyData(grid->GetCellData(), std::min(c, grid->GetNumberOfCells() - 1), c);
+      appendTuple(data, grid->GetCellData(), c);
     }
     changed->GetCellData()->ShallowCopy(data);
   }
@@ -126,12 +147,8 @@ Grid torn(vtkUnstructuredGrid* grid, Chance& chance)
   const Grid changed = deepCopy(grid);
   const vtkIdType cell = chance.below(grid->GetNumberOfCells());
   const vtkIdType from = cornersOf(grid, cell).front();
-  vtkPointData* data = changed->GetPointData();
   const vtkIdType to = changed->GetPoints()->InsertNextPoint(grid->GetPoint(from));
-  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
-  {
-    data->GetAbstractArray(a)->InsertNextTuple(from, grid->GetPointData()->GetAbstractArray(a));
-  }
+  appendTuple(changed->GetPointData(), grid->GetPointData(), from);
   return changedCells(changed, [&](vtkIdType c, Corners& corners) {
     if (c == cell)
     {

@@ -119,6 +119,10 @@ std::optional<Triangles> trianglesWithin(
     }
     region = all.regionOf[at(left->second)];
   }
+  if (region < 0)
+  {
+    return std::nullopt; // a face without a rim
+  }
   const Index count = std::count(all.regionOf.begin(), all.regionOf.end(), region);
   Triangles triangles(count, 3);
   Index row = 0;

@@ -11,7 +11,7 @@
 #include "Core/Linking/RingParameter.h"
 #include "Core/Linking/RingQuads.h"
 #include "Core/Linking/SteadyColumns.h"
-#include "Core/Surfaces/SurfaceArea.h"
+#include "Core/Surfaces/EdgeHalving.h"
 
 #include <Eigen/Geometry>
 
@@ -24,8 +24,7 @@ namespace hexsweep
 namespace
 {
 constexpr Index Samples = 64;            // of a column's length
-constexpr double TrianglesOfRing = 32.0; // a side of n columns is cut as finely as n n / this...
-constexpr double LeastTriangles = 500.0; // ... triangles would be, but not coarser than this
+constexpr double TrianglesOfRing = 32.0; // a side of n columns is cut as finely as n n / this
 /// Of the least sine of a corner, or of what sines lack in the mean: rings are levelled where that
 /// gains so much.
 constexpr double LevelGain = 1.25;
@@ -35,8 +34,7 @@ constexpr double MostRise = 0.2; // of a ring, over its way
 double longestEdge(const SideTube& side, Index columns)
 {
   const double n = static_cast<double>(columns);
-  return std::sqrt(
-    2.0 * surfaceArea(side.surface) / std::max(LeastTriangles, n * n / TrianglesOfRing));
+  return longestEdgeFor(side.surface, std::max(side.leastTriangles, n * n / TrianglesOfRing));
 }
 }
 

@@ -26,6 +26,8 @@ struct SideTube
   std::vector<QuadMesh> patches;
   /// What the metric of the strip has of the depth of steps, see ruledShape(); in (0, 1].
   double stepDepth = 1.0;
+  /// The map of its columns is made of no fewer triangles than about four times this.
+  double leastTriangles = 500.0;
 };
 
 /**

@@ -267,6 +267,7 @@ void sweepThroughDisks(const SolidCageInput& input, const TriangleMesh& source,
   {
     // Nodes that there are stay where they are.
     side.stepDepth = side.patches.empty() ? input.stepDepth : 1.0;
+    side.leastTriangles = input.leastTriangles;
   }
   cage.linking = meshLinkingSides(input.source.points, cage.loops, sides, input.layers,
     input.matchTolerance, progressPart(progress, 0.0, 0.4), input.parallelFor);

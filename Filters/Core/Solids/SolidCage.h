@@ -38,6 +38,7 @@ struct SolidCageInput
   ParallelFor parallelFor = {};
   /// What findAffineSweep() gave, where it was asked already.
   const std::optional<AffineSweep>* affine = nullptr;
+  double leastTriangles = 500.0; ///< see SideTube
 };
 
 struct SolidCage : SweepCage

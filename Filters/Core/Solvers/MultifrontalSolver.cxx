@@ -21,6 +21,9 @@ using Matrix = Eigen::MatrixXd;
 constexpr double Branches = 16.0;
 /// Below it threads cost more than they bring; multiplications and additions.
 constexpr double LittleWork = 4e6;
+/// Updates of no more values are kept for the next factorisation: most of the time of a small one
+/// went into memory that the system took back and gave anew.
+constexpr Index MostKeptValues = 1000000;
 
 /// An elimination tree in parts: fronts first ... last of each branch, and those above them all.
 struct BranchedTree
@@ -87,7 +90,8 @@ BranchedTree branchesOf(const std::vector<Index>& parents, const std::vector<dou
 struct MultifrontalSolver::Work
 {
   const SparseMatrix& matrix;
-  std::vector<Update> updates; ///< of the fronts' borders, until the parents have taken them
+  std::vector<Update>& updates; ///< of the fronts' borders
+  bool keepsUpdates;            ///< not only until the parents have taken them
   std::vector<std::vector<std::size_t>> children;
 };
 
@@ -138,6 +142,7 @@ MultifrontalSolver::MultifrontalSolver(
     const Index lower = this->ValuesNeeded;
     const Index upper = lower + pivots * (pivots + borderSize);
     this->ValuesNeeded = kind == Kind::LU ? upper + pivots * borderSize : upper;
+    this->UpdateValues += borderSize * borderSize;
     this->Fronts.push_back({ part.begin, pivots, part.parent, border, borderSize, lower, upper });
     if (part.parent >= 0)
     {
@@ -277,7 +282,10 @@ void MultifrontalSolver::factorizeFront(std::size_t f, std::vector<Index>& local
   for (const std::size_t c : work.children[f])
   {
     this->extendAdd(front, update, this->Fronts[c], work.updates[c], local);
-    work.updates[c].resize(0, 0);
+    if (!work.keepsUpdates)
+    {
+      work.updates[c].resize(0, 0);
+    }
   }
   if (!this->eliminate(front, update))
   {
@@ -294,7 +302,14 @@ void MultifrontalSolver::factorize(const SparseMatrix& matrix, const ParallelFor
     return;
   }
   this->Values.resize(at(this->ValuesNeeded));
-  Work work{ matrix, std::vector<Update>(count), std::vector<std::vector<std::size_t>>(count) };
+  const bool keeps = this->UpdateValues <= MostKeptValues;
+  std::vector<Update> updates(keeps ? 0 : count);
+  if (keeps)
+  {
+    this->Updates.resize(count);
+  }
+  Work work{ matrix, keeps ? this->Updates : updates, keeps,
+    std::vector<std::vector<std::size_t>>(count) };
   std::vector<Index> parents;
   std::vector<double> costs;
   for (std::size_t f = 0; f < count; ++f)

@@ -102,7 +102,9 @@ private:
   std::vector<Index> Borders; // places, rising within a front
   std::vector<double> Values; // none before the first factorisation
   Index ValuesNeeded = 0;
-  std::vector<int> Pivoting; // LU: rows of a front's pivots in the order they were taken
+  Index UpdateValues = 0;      // of all fronts' borders together
+  std::vector<Update> Updates; // of the borders; kept where they are few values, else empty
+  std::vector<int> Pivoting;   // LU: rows of a front's pivots in the order they were taken
 };
 }
 

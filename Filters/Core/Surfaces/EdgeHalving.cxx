@@ -6,6 +6,8 @@
 #include "Core/Surfaces/HalfEdgeTriangles.h"
 #include "Core/Surfaces/SurfaceArea.h"
 
+#include <algorithm>
+#include <cmath>
 #include <queue>
 #include <tuple>
 
@@ -14,6 +16,29 @@ namespace hexsweep
 namespace
 {
 constexpr double MostTriangles = 50e6;
+/// For each triangle of one size that is wanted: more than real sides that are made of slender
+/// triangles have, and few enough for some seconds' work.
+constexpr double MostSlender = 1000.0;
+/// A slender triangle becomes three with half its longest edge: the logarithm of 3 to base 2.
+constexpr double SlenderPower = 1.584962500721156;
+
+/// Of the triangles with an edge that is longer, those edges to the power of SlenderPower, summed.
+double slenderness(const TriangleMesh& mesh, double longest)
+{
+  double sum = 0.0;
+  for (Index t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    double length = 0.0;
+    for (Index c = 0; c < 3; ++c)
+    {
+      length = std::max(length,
+        (mesh.points.row(mesh.triangles(t, c)) - mesh.points.row(mesh.triangles(t, (c + 1) % 3)))
+          .norm());
+    }
+    sum += length > longest ? std::pow(length, SlenderPower) : 0.0;
+  }
+  return sum;
+}
 
 class Halving
 {
@@ -90,11 +115,26 @@ private:
 };
 }
 
+double longestEdgeFor(const TriangleMesh& mesh, double triangles)
+{
+  const double area = surfaceArea(mesh);
+  if (!(area > 0.0))
+  {
+    throw InvalidInput("the surface at " + describe(mesh.points.row(0)) +
+      " has no area: all its triangles are slivers. Check its points, or mesh it again.");
+  }
+  const double byArea = std::sqrt(2.0 * area / triangles);
+  const double bySlender =
+    std::pow(slenderness(mesh, byArea) / (MostSlender * triangles), 1.0 / SlenderPower);
+  return std::max(byArea, bySlender);
+}
+
 HalvedSurface halveLongEdges(const TriangleMesh& mesh, double longest)
 {
-  // Triangles with edges up to half as long have an eighth of the square's area or more, slender
-  // ones aside.
-  const double triangles = 8.0 * surfaceArea(mesh) / longest / longest;
+  // Triangles with edges up to half as long have an eighth of the square's area or more, or are
+  // slender.
+  const double triangles = 8.0 * surfaceArea(mesh) / longest / longest +
+    slenderness(mesh, longest) / std::pow(longest, SlenderPower);
   if (!(triangles <= MostTriangles))
   {
     throw InvalidInput("edges no longer than " + describe(longest) + " would make about " +

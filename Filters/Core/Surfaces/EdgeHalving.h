@@ -17,6 +17,15 @@ struct HalvedSurface
 };
 
 /**
+ * Longest edge for which halving makes about so many triangles of one size. Of slender triangles
+ * the area does not tell how many they become: where that would be more than a thousand times as
+ * many, the edge is longer.
+ *
+ * @throw InvalidInput when the mesh has no area.
+ */
+double longestEdgeFor(const TriangleMesh& mesh, double triangles);
+
+/**
  * Halves edges, the longest first, until none is longer than `longest` (cutting the longest edge
  * first keeps angles from getting worse \cite Rivara1984).
  *

@@ -55,6 +55,22 @@ TEST(LinkingSides, CylinderIsMeshedExactly)
   }
 }
 
+// Cut as finely as its area asks, each of its edges would be a million.
+TEST(LinkingSides, SlenderSidesAreNotCutEndlessly)
+{
+  constexpr double Height = 3e10;
+  const Place needle = [](double v, double u) -> Eigen::RowVector3d {
+    return { std::cos(TwoPi * v), std::sin(TwoPi * v), Height * u };
+  };
+  SideTube side = tube(24, 1, needle, {}, 0.0);
+  side.leastTriangles = 50.0; // as long as it takes
+  const LinkingMesh result = meshTube(side, ringOf(24, needle), layerRequest(2));
+  for (Index j = 0; j < 24; ++j)
+  {
+    EXPECT_NEAR(node(result, 24, 1, j).z(), 0.5 * Height, 1e-3 * Height);
+  }
+}
+
 TEST(LinkingSides, GivenRingIsKeptInItsOrder)
 {
   const SideTube side = tube(40, 12, Cylinder, {}, 0.3);

@@ -17,6 +17,7 @@ namespace test
 {
 namespace
 {
+constexpr int IntervalBoxes = 73;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// A number between two others; each operation rounds outwards by more than it may have erred.
@@ -71,7 +72,8 @@ Truth signOf(const Interval& value)
                          : Truth::Unknown;
 }
 
-using Integer = boost::multiprecision::cpp_int;
+/// Of any length; most are short enough to need no memory of their own.
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>>;
 
 Truth signOf(const Integer& value)
 {
@@ -280,7 +282,6 @@ Truth decide(const Lattice<Number>& whole, int boxes)
 
 HexTruth truthOf(const HexCorners& corners, int boxes)
 {
-  constexpr int IntervalBoxes = 73;
   HexTruth truth;
   const Lattice<Interval> rough = bernsteinOf(inIntervals(corners));
   const Truth roughCorners = signOfCorners(rough);
@@ -294,6 +295,12 @@ HexTruth truthOf(const HexCorners& corners, int boxes)
     truth.everywhere = decide(exact, boxes);
   }
   return truth;
+}
+
+Truth truthEverywhere(const HexCorners& corners, int boxes)
+{
+  const Truth rough = decide(bernsteinOf(inIntervals(corners)), IntervalBoxes);
+  return rough == Truth::Unknown ? decide(bernsteinOf(inIntegers(corners)), boxes) : rough;
 }
 
 namespace

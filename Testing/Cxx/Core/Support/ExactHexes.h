@@ -37,6 +37,9 @@ struct HexTruth
 /// @param boxes that exact numbers may look at.
 HexTruth truthOf(const HexCorners& corners, int boxes = 3000);
 
+/// HexTruth::everywhere alone: exact numbers only where intervals do not tell.
+Truth truthEverywhere(const HexCorners& corners, int boxes = 3000);
+
 constexpr int AdversarialKinds = 14;
 
 /**

@@ -13,6 +13,7 @@ namespace TestEdgeHalving
 using hexsweep::HalvedSurface;
 using hexsweep::halveLongEdges;
 using hexsweep::Index;
+using hexsweep::longestEdgeFor;
 using hexsweep::TriangleMesh;
 
 double longestEdge(const TriangleMesh& mesh)
@@ -46,6 +47,36 @@ TEST(EdgeHalving, StopsWhereNumbersEnd)
   far.points = (4.0 * far.points).array() + 0x1p53; // where numbers are whole and even
   far.points.col(2).setZero();
   test::expectInvalid([&] { halveLongEdges(far, 0.3); }, "cannot be halved");
+}
+
+TEST(EdgeHalving, FindsTheLengthForSomeTriangles)
+{
+  const TriangleMesh plate = test::plate(2, {});
+  const double longest = longestEdgeFor(plate, 100.0);
+  EXPECT_EQ(longest, std::sqrt(2.0 * test::surfaceArea(plate) / 100.0));
+  const Index made = halveLongEdges(plate, longest).mesh.triangles.rows();
+  EXPECT_GE(made, 100);
+  EXPECT_LE(made, 400);
+}
+
+TEST(EdgeHalving, DoesNotCutSlenderTrianglesEndlessly)
+{
+  for (const double stretch : { 1e6, 1e12, 1e40 })
+  {
+    TriangleMesh slender = test::plate(2, {});
+    slender.points.col(0) *= stretch;
+    slender.points.col(1) /= stretch;
+    const double byArea = std::sqrt(2.0 * test::surfaceArea(slender) / 10.0);
+    if (stretch > 1e9)
+    {
+      test::expectInvalid([&] { halveLongEdges(slender, byArea); }, "triangles");
+    }
+    const HalvedSurface halved = halveLongEdges(slender, longestEdgeFor(slender, 10.0));
+    EXPECT_LE(halved.mesh.triangles.rows(), 30000);
+  }
+  TriangleMesh line = test::plate(2, {});
+  line.points.col(1).setZero();
+  test::expectInvalid([&] { longestEdgeFor(line, 10.0); }, "no area");
 }
 
 TEST(EdgeHalving, RefusesMoreTrianglesThanCanBeMade)

@@ -24,7 +24,7 @@ constexpr double WeightOfBad = 10.0;
 constexpr double FewBad = 0.01;
 /// Part of the hexahedra, and their number, above which untangling takes longer than to make the
 /// next start as well.
-constexpr double ManyBad = 0.0025;
+constexpr double ManyBad = 0.0002;
 constexpr double LeastManyBad = 50.0;
 /// Scaled Jacobian up to which whole patches are moved: more is seldom worth their time.
 constexpr double Enough = 0.4;

@@ -79,7 +79,7 @@ struct SweepInterior
  * untangling (untangleHexes()); otherwise keeps the best: fewest hexahedra that are not Certified,
  * then the highest least scaled Jacobian. Of rivals (InteriorStart::rivals) the one with fewer
  * hexahedra that are not Certified is tried first, or with as many the one whose least and mean
- * scaled Jacobian are higher together. Where more than 50 hexahedra and one in 400 would have
+ * scaled Jacobian are higher together. Where more than 50 hexahedra and one in 5000 would have
  * to be untangled in all of them the starts that come next are rivals as well: to make one takes
  * less.
  *

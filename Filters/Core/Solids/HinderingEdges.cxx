@@ -82,13 +82,12 @@ double leastInTheEnd(
   InteriorOptions options;
   options.keepQualities = true;
   options.parallelFor = parallelFor;
-  // The first start says enough: others are for meshes that are to be kept.
-  std::vector<InteriorStart> starts =
-    interiorStarts(InteriorKind::Automatic, cage.isRuled, windingOf(cage.boundary));
-  starts.resize(1);
   try
   {
-    return leastMerit(sweepInterior(cage, starts, options, progress));
+    // All starts: to untangle the first alone may take far longer than to make another.
+    return leastMerit(sweepInterior(cage,
+      interiorStarts(InteriorKind::Automatic, cage.isRuled, windingOf(cage.boundary)), options,
+      progress));
   }
   catch (const SolverFailure&)
   {

@@ -18,7 +18,7 @@ namespace
 constexpr double MostTriangles = 50e6;
 /// For each triangle of one size that is wanted: more than real sides that are made of slender
 /// triangles have, and few enough for some seconds' work.
-constexpr double MostSlender = 1000.0;
+constexpr double MostSlender = 50.0;
 /// A slender triangle becomes three with half its longest edge: the logarithm of 3 to base 2.
 constexpr double SlenderPower = 1.584962500721156;
 

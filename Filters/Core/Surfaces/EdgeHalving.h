@@ -18,7 +18,7 @@ struct HalvedSurface
 
 /**
  * Longest edge for which halving makes about so many triangles of one size. Of slender triangles
- * the area does not tell how many they become: where that would be more than a thousand times as
+ * the area does not tell how many they become: where that would be more than fifty times as
  * many, the edge is longer.
  *
  * @throw InvalidInput when the mesh has no area.

@@ -43,9 +43,28 @@ vtkSmartPointer<vtkAlgorithm> sweepOf(unsigned int open)
   return use.on(0, pair);
 }
 
+/// A block that can be planned, and not filled: a triangle of its cap of face 6 is there twice, and
+/// a side has a spike.
+Grid brokenBlock(vtkUnstructuredGrid* block)
+{
+  const Grid grid = test::changedPoints(block, [](vtkIdType, std::array<double, 3>& place) {
+    const bool isTip = place == std::array<double, 3>{ 0.5, 1.0, 0.5 };
+    place[1] = isTip ? 3.4 : place[1];
+  });
+  const vtkIdType doubled[] = { 31, 35, 34 };
+  grid->InsertNextCell(VTK_TRIANGLE, 3, doubled);
+  grid->GetCellData()->GetArray("FaceId")->InsertNextTuple1(6.0);
+  return grid;
+}
+
 TEST(AssemblySweep, WithoutAnyHexahedronFailsInWords)
 {
-  const vtkSmartPointer<vtkAlgorithm> sweep = sweepOf(2);
+  const test::FilterUse& use = test::filterUse("AssemblySweep");
+  auto* given = vtkMultiBlockDataSet::SafeDownCast(use.inputs.front());
+  vtkNew<vtkMultiBlockDataSet> one;
+  one->SetBlock(0, brokenBlock(vtkUnstructuredGrid::SafeDownCast(given->GetBlock(0))));
+  const vtkSmartPointer<vtkAlgorithm> sweep = use.on(0, one);
+  vtkAssemblySweep::SafeDownCast(sweep)->SetSize(0.52);
   const Events events(sweep);
   sweep->Update();
   EXPECT_FALSE(test::hasOutput(sweep));

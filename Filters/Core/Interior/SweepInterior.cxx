@@ -125,7 +125,7 @@ public:
       done = done || !this->Options.ensureValid || candidate.curable == 0;
       const bool isEnough = done && (candidate.isBest || candidate.wantsNothing());
       this->keepBetter(std::move(candidate));
-      if (isEnough || !this->Options.ensureValid)
+      if (isEnough || !this->Options.ensureValid || !this->Options.persists)
       {
         return true;
       }
@@ -440,8 +440,8 @@ SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorSta
     const double polishing = 1.0 - RoundingShare - PolishingShare;
     const double again = 1.0 - RoundingShare - RepeatedShare * PolishingShare;
     cascade.polish(progressPart(progress, polishing, again));
-    cascade.tryAgain(
-      options.ensureValid ? Repetitions : 0, progressPart(progress, again, 1.0 - RoundingShare));
+    cascade.tryAgain(options.ensureValid && options.persists ? Repetitions : 0,
+      progressPart(progress, again, 1.0 - RoundingShare));
   }
   if (options.precision == Precision::Single)
   {

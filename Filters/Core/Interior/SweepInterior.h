@@ -34,6 +34,9 @@ struct InteriorOptions
 {
   /// Untangle locally what is not valid.
   bool ensureValid = true;
+  /// Go on with other starts, and untangle again after the polish, where the most promising start
+  /// cannot be certified. Off is for meshes that are only compared: to fail takes longest.
+  bool persists = true;
   /// Polish what is valid: at the most this often round the mesh.
   int polishingRounds = 4;
   /// Hand on what was found out about the result's hexahedra, so that nobody needs to judge them

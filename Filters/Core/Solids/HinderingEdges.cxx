@@ -81,6 +81,7 @@ double leastInTheEnd(
 {
   InteriorOptions options;
   options.keepQualities = true;
+  options.persists = false;
   options.parallelFor = parallelFor;
   try
   {

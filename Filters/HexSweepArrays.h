@@ -266,11 +266,16 @@ constexpr const char* Levels = "SweepReportLevels";
 /// Measure: greatest distance of curves of caps that became one.
 constexpr const char* GreatestImprint = "SweepReportGreatestImprint";
 
+// Solids whose boundary nodes may move.
+
+/// Id: boundary nodes that were moved along their faces.
+constexpr const char* MovedBoundaryNodes = "SweepReportMovedBoundaryNodes";
+/// Measure: the longest way that one of them was moved.
+constexpr const char* GreatestBoundaryMove = "SweepReportGreatestBoundaryMove";
+
 // Solids with their true geometry.
 
 /// Ids: boundary nodes that were put on the true surfaces, and those that were left on the facets.
-constexpr const char* MovedBoundaryNodes = "SweepReportMovedBoundaryNodes";
-constexpr const char* GreatestBoundaryMove = "SweepReportGreatestBoundaryMove";
 constexpr const char* SnappedNodes = "SweepReportSnappedNodes";
 constexpr const char* UnsnappedNodes = "SweepReportUnsnappedNodes";
 /// Measure: the longest way that a node was moved for it.

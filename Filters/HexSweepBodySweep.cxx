@@ -94,11 +94,11 @@ void tryRoughly(const Sweep& roughly, Trial& trial)
   }
   catch (const InvalidInput& error)
   {
-    trial.failure = std::string(": ") + error.what();
+    trial.failure = std::string(" (meshed roughly): ") + error.what();
   }
   catch (const SolverFailure& error)
   {
-    trial.failure = std::string(": ") + error.what();
+    trial.failure = std::string(" (meshed roughly): ") + error.what();
   }
 }
 
@@ -213,33 +213,66 @@ std::vector<std::string> bestOfSweeps(const SolidSurface& surface, const SweepCh
   return warnings;
 }
 
+/// Makes the layers that are asked for few enough. @return their number; 0: it follows the size.
+double thinLayers(double length, LayerRequest& layers)
+{
+  constexpr std::size_t Most = 50;
+  if (!layers.positions.empty())
+  {
+    const std::size_t stride = layers.positions.size() / Most + 1;
+    std::vector<double> kept;
+    for (std::size_t i = stride - 1; i < layers.positions.size(); i += stride)
+    {
+      kept.push_back(layers.positions[i]);
+    }
+    layers.positions = std::move(kept);
+    return static_cast<double>(layers.positions.size() + 1);
+  }
+  if (layers.size > 0.0)
+  {
+    layers.size = std::max(layers.size, length / static_cast<double>(Most));
+    return std::max(1.0, length / layers.size);
+  }
+  layers.layers = std::min(layers.layers, static_cast<Index>(Most));
+  return static_cast<double>(layers.layers);
+}
+
 /// Of a mesh that tells what a sweep is worth: as fine as asked for up to some thousand hexahedra.
 SolidSweepSettings roughSettings(
   const SolidSurface& surface, const SweepTopology& topology, const SolidSweepSettings& settings)
 {
   constexpr Index MostHexes = 20000;
+  constexpr double Most = MostHexes;
   SolidSweepSettings rough = settings;
   rough.mostHexes = MostHexes;
+  rough.moveBoundaryNodes = false;
   rough.hexes.ensureValid = false;
   rough.hexes.improveQuality = false;
   rough.hexes.isTrial = true;
+  rough.hexes.certify = true;
   rough.hexes.failIfInvalid = false;
   const double wanted = settings.quadSize > 0.0 ? settings.quadSize : settings.size;
-  if (wanted > 0.0 && std::isfinite(wanted))
+  const double length = sideLength(surface, topology);
+  if (!(wanted >= 0.0) || !std::isfinite(wanted) || !(length > 0.0))
   {
-    const double height = settings.layers.size > 0.0 ? settings.layers.size
-      : settings.size > 0.0                          ? settings.size
-                                                     : wanted;
-    const double layers = settings.layers.layers > 0
-      ? static_cast<double>(settings.layers.layers)
-      : std::max(1.0, sideLength(surface, topology) / height);
-    const double factor = std::max(
-      1.0, std::cbrt(expectedQuads(surface, topology, wanted) * layers / double(MostHexes)));
+    return rough; // is refused
+  }
+  const double layers = thinLayers(length, rough.layers);
+  if (layers > 0.0)
+  {
+    const double least = std::sqrt(expectedQuads(surface, topology, 1.0) * layers / Most);
+    rough.quadSize = std::max(wanted, least);
+  }
+  else if (wanted > 0.0)
+  {
+    const double quads = expectedQuads(surface, topology, wanted);
+    const double high = length / (settings.size > 0.0 ? settings.size : wanted);
+    const double share = quads * std::max(1.0, high) / Most;
+    // Where one layer is left, quads alone can be fewer.
+    const double factor =
+      std::max(1.0, std::max(std::cbrt(share), std::sqrt(share / std::max(1.0, high))));
     rough.size *= factor;
     rough.quadSize *= factor;
-    rough.layers.size *= factor;
-    rough.layers.layers =
-      static_cast<Index>(std::ceil(static_cast<double>(settings.layers.layers) / factor));
   }
   return rough;
 }

@@ -30,8 +30,8 @@ struct BodiesToSweep
 };
 
 /**
- * Sweeps body after body. Of the sweeps that are found for a body up to three are tried, until all
- * hexahedra are certified.
+ * Sweeps body after body. Of the sweeps that are found for a body those that look best are meshed
+ * roughly, and tried in the order of what these meshes are worth until all hexahedra are certified.
  *
  * @param stages is told of every stage.
  * @return what to tell the user.

@@ -76,11 +76,12 @@ void setQualities(
 
 std::vector<InteriorStart> startsOf(const SweepCage& cage, const HexOutputSettings& settings)
 {
-  if (settings.points)
+  if (settings.begun.points)
   {
-    return { { "Slid boundary", [&settings](const SweepCage&, const Progress&, const ParallelFor&) {
-                return *settings.points;
-              } } };
+    return { { settings.begun.method,
+      [&settings](const SweepCage&, const Progress&, const ParallelFor&) {
+        return *settings.begun.points;
+      } } };
   }
   return interiorStarts(
     static_cast<InteriorKind>(settings.method), cage.isRuled, windingOf(cage.boundary));

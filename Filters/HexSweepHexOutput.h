@@ -19,6 +19,13 @@ class vtkUnstructuredGrid;
 
 namespace hexsweep
 {
+/// An interior to go on with.
+struct BegunInterior
+{
+  const Points* points = nullptr; ///< see SweepInterior; nullptr: there is none
+  std::string method;             ///< the same
+};
+
 struct HexOutputSettings
 {
   int method = 0; ///< a vtkCageHexInterior::MethodType
@@ -26,10 +33,10 @@ struct HexOutputSettings
   bool improveQuality = true;
   bool certify = true;
   bool failIfInvalid = false;
-  bool isTrial = false; ///< to be compared: polished a little, though nothing is untangled
-  int precision = 0;    ///< a vtkAlgorithm::DesiredOutputPrecision
-  const Points* points = nullptr; ///< of SweepInterior, to begin with in place of a method's
-  Reflection reflection;          ///< of the cage, undone in the output
+  bool isTrial = false;  ///< to be compared: polished a little, though nothing is untangled
+  int precision = 0;     ///< a vtkAlgorithm::DesiredOutputPrecision
+  BegunInterior begun;   ///< counts in place of a method
+  Reflection reflection; ///< of the cage, undone in the output
 };
 
 /// Where the attributes of a cage's points and quads come from.

@@ -30,6 +30,7 @@
 #include <vtkFieldData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -58,12 +59,6 @@ void addSnapReport(const GeometrySnap& snap, vtkFieldData* fieldData)
   addReport(fieldData, reports::SnappedNodes, snap.moved);
   addReport(fieldData, reports::UnsnappedNodes, snap.left);
   addReport(fieldData, reports::GreatestSnap, snap.greatestMove);
-}
-
-void addSlideReport(const std::optional<SlidBoundary>& slid, vtkFieldData* fieldData)
-{
-  addReport(fieldData, reports::MovedBoundaryNodes, slid ? slid->moved : Index{ 0 });
-  addReport(fieldData, reports::GreatestBoundaryMove, slid ? slid->greatestMove : 0.0);
 }
 
 /// Empty where all nodes are on the geometry.
@@ -223,16 +218,21 @@ SolidCage cageOf(const SolidToSweep& solid, const SweepTopology& topology,
                                     : makeSolidCage(input, progress);
 }
 
-/// Nothing where it is not asked for, or no hexahedron would be better for it.
+/// Nothing where it is not asked for.
 std::optional<SlidBoundary> slidBoundary(const SolidToSweep& solid, const SweepTopology& topology,
-  const SolidSweepSettings& settings, const Progress& progress, const SolidCage& cage)
+  const SolidSweepSettings& settings, const SizedQuads& sized, const Progress& progress,
+  const SolidCage& cage)
 {
   if (!settings.moveBoundaryNodes)
   {
     return std::nullopt;
   }
   const ReadBody& body = solid.body;
-  return slideBoundary(body.surface, topology, body.geometry.get(), cage,
+  const std::vector<std::vector<QuadMesh>> patches =
+    sidePatches(body.solid.input, body.surface, topology);
+  const GivenQuads given{ sized.quads.origin != "made",
+    std::any_of(patches.begin(), patches.end(), [](const auto& side) { return !side.empty(); }) };
+  return slideBoundary(body.surface, topology, body.geometry.get(), cage, given,
     startsOf(cage, settings.hexes), interiorOptions(settings.hexes, progress), progress);
 }
 
@@ -271,16 +271,14 @@ SolidSweepResult sweepFacets(const SolidToSweep& solid, const SweepTopology& top
   HexOutputSettings hexSettings = settings.hexes;
   hexSettings.reflection = solid.body.solid.reflection;
   const std::optional<SlidBoundary> slid =
-    slidBoundary(solid, topology, settings, progressPart(progress, 0.5, 0.8), cage);
+    slidBoundary(solid, topology, settings, sized, progressPart(progress, 0.5, 0.8), cage);
   if (slid)
   {
     cage = slid->cage;
-    hexSettings.points = &slid->points;
-  }
-  if (settings.moveBoundaryNodes)
-  {
+    hexSettings.begun = { &slid->points, slid->method };
     stages.finish("Move boundary nodes");
-    addSlideReport(slid, hexes->GetFieldData());
+    addReport(hexes->GetFieldData(), reports::MovedBoundaryNodes, slid->moved);
+    addReport(hexes->GetFieldData(), reports::GreatestBoundaryMove, slid->greatestMove);
   }
   const HexOutput output = writeHexes(
     cage, sized.quads.attributes, hexSettings, stages, progressPart(progress, 0.8, 0.97), hexes);

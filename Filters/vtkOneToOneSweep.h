@@ -230,7 +230,7 @@ public:
 
   ///@{
   /// Raise the lowest scaled Jacobians by moves of boundary nodes as well, each along its face of
-  /// the solid: nodes of the caps' rims and of CAD edges stay where they are. Costs several times
+  /// the solid: nodes of the caps' rims, of CAD edges and of given quads stay. Costs several times
   /// the interior. Reported as `SweepReportMovedBoundaryNodes` and
   /// `SweepReportGreatestBoundaryMove`. Needs EnsureValid. Off by default.
   vtkSetMacro(MoveBoundaryNodes, bool);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/BoundarySliding.h"
 
+#include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 #include "Core/Geometry/TriangleSearch.h"
-#include "Core/Hexahedra/HexCorner.h"
 #include "Core/Interior/SweptHexes.h"
 #include "Core/Solids/CageNodes.h"
 
@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace hexsweep
@@ -29,7 +30,7 @@ constexpr double LeastGain = 1e-3; // of the minimum, for another round
 constexpr double LowBand = 0.1;
 constexpr std::size_t MostLow = 2000;
 constexpr double Sharpness = 20.0; // of the soft minimum
-/// Of the shortest edge of the quads, or of the hexahedra, at a node.
+/// Of the way to the nearest corner of a hexahedron at a node.
 constexpr double Strides[] = { 0.3, 0.1, 0.03, 0.01 };
 
 /// Puts places on the faces of the solid.
@@ -39,6 +40,7 @@ public:
   OnFaces(const SolidSurface& solid, const ModelGeometry* geometry)
     : Solid(solid)
     , Geometry(geometry)
+    , All(solid.points, solid.triangles)
   {
   }
 
@@ -46,7 +48,11 @@ public:
   {
     if (this->Geometry)
     {
-      return this->Geometry->closestOnFace(faceId, place);
+      // The surface may go on beyond the borders of its face.
+      const std::optional<Spot> found = this->Geometry->closestOnFace(faceId, place);
+      const bool isWithin =
+        found && this->Solid.faceIds[at(this->All.closest(*found).triangle)] == faceId;
+      return isWithin ? found : std::nullopt;
     }
     Facets& facets = this->facetsOf(faceId);
     const TrianglePoint found = facets.search->closest(place);
@@ -87,6 +93,7 @@ private:
 
   const SolidSurface& Solid;
   const ModelGeometry* Geometry;
+  TriangleSearch All;
   std::map<Index, Facets> Faces;
 };
 
@@ -94,10 +101,12 @@ private:
 class NodeSliding
 {
 public:
-  NodeSliding(const SolidSurface& solid, const SweepTopology& topology,
-    const ModelGeometry* geometry, const SolidCage& cage, const Points& points)
+  NodeSliding(const SolidSurface& solid, const SweepTopology& topology, OnFaces& faces,
+    const SolidCage& cage, const Points& points, const GivenQuads& given)
     : Nodes(cageNodes(cage, solid, topology))
-    , Faces(solid, geometry)
+    , Faces(faces)
+    , Given(given)
+    , SourcePoints(cage.source.rows())
     , Hexes(sweptHexes(cage.quads, points, cage.boundary.numberOfLayers()))
     , HexesOf(at(points.rows()))
     , RowOf(at(points.rows()), -1)
@@ -119,11 +128,18 @@ public:
   }
 
   /// @return whether a boundary node has moved.
-  bool sweep()
+  bool sweep(const Progress& progress)
   {
+    constexpr std::size_t NodesAPiece = 128;
+    const std::vector<Index> nodes = this->nodesToMove();
     bool hasSlid = false;
-    for (const Index node : this->nodesToMove())
+    for (std::size_t i = 0; i < nodes.size(); ++i)
     {
+      if (i % NodesAPiece == 0)
+      {
+        reportProgress(progress, static_cast<double>(i) / static_cast<double>(nodes.size()));
+      }
+      const Index node = nodes[i];
       const Index row = this->RowOf[at(node)];
       if (row < 0)
       {
@@ -194,30 +210,32 @@ private:
   {
     const std::vector<Index>& quads = this->Nodes.quadsOf[at(row)];
     const FacedQuad& first = this->Nodes.quads[at(quads.front())];
+    const bool isOfSource = this->Nodes.points[at(row)] < this->SourcePoints;
+    if (first.isCap ? isOfSource && this->Given.source : this->Given.sides)
+    {
+      return false;
+    }
     return std::all_of(quads.begin(), quads.end(), [&](Index q) {
       const FacedQuad& quad = this->Nodes.quads[at(q)];
       return quad.faceId == first.faceId && quad.isCap == first.isCap;
     });
   }
 
-  double shortestEdgeAt(Index node) const
+  /// To another corner of a hexahedron.
+  double nearestCorner(Index node) const
   {
-    double shortest = std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity();
     for (const Index h : this->HexesOf[at(node)])
     {
-      for (int c = 0; c < 8; ++c)
+      for (const Index other : this->Hexes.row(h))
       {
-        if (this->Hexes(h, c) == node)
+        if (other != node)
         {
-          for (const int other : HexCornerNeighbors[c])
-          {
-            shortest = std::min(
-              shortest, (this->Places.row(this->Hexes(h, other)) - this->Places.row(node)).norm());
-          }
+          nearest = std::min(nearest, (this->Places.row(other) - this->Places.row(node)).norm());
         }
       }
     }
-    return shortest;
+    return nearest;
   }
 
   /// Higher where the hexahedra at a node are better.
@@ -261,7 +279,7 @@ private:
 
   void moveFreely(Index node)
   {
-    const double edge = this->shortestEdgeAt(node);
+    const double reach = this->nearestCorner(node);
     for (const double stride : Strides)
     {
       std::vector<Spot> candidates;
@@ -269,7 +287,8 @@ private:
       {
         for (const double sign : { -1.0, 1.0 })
         {
-          candidates.emplace_back(this->Places.row(node) + sign * stride * edge * Spot::Unit(axis));
+          candidates.emplace_back(
+            this->Places.row(node) + sign * stride * reach * Spot::Unit(axis));
         }
       }
       if (this->takeBest(node, candidates))
@@ -288,9 +307,13 @@ private:
       normal += this->Nodes.quads[at(q)].normal.normalized();
       face = this->Nodes.quads[at(q)].faceId;
     }
+    if (!(normal.norm() > 0.0))
+    {
+      return false;
+    }
     const Spot first = normal.normalized().unitOrthogonal();
     const Spot second = normal.normalized().cross(first);
-    const double edge = this->shortestEdgeAt(node);
+    const double reach = this->nearestCorner(node);
     for (const double stride : Strides)
     {
       std::vector<Spot> candidates;
@@ -298,9 +321,9 @@ private:
         { std::pair(1.0, 0.0), std::pair(-1.0, 0.0), std::pair(0.0, 1.0), std::pair(0.0, -1.0),
           std::pair(0.7, 0.7), std::pair(-0.7, 0.7), std::pair(0.7, -0.7), std::pair(-0.7, -0.7) })
       {
-        const Spot aim = this->Places.row(node) + stride * edge * (a * first + b * second);
+        const Spot aim = this->Places.row(node) + stride * reach * (a * first + b * second);
         const std::optional<Spot> place = this->Faces.nearest(face, aim);
-        if (place && (*place - aim).norm() < stride * edge)
+        if (place && (*place - aim).norm() < stride * reach)
         {
           candidates.push_back(*place);
         }
@@ -314,7 +337,9 @@ private:
   }
 
   CageNodes Nodes;
-  OnFaces Faces;
+  OnFaces& Faces;
+  GivenQuads Given;
+  Index SourcePoints;
   hexsweep::Hexes Hexes;
   std::vector<std::vector<Index>> HexesOf; // by node of the mesh
   std::vector<Index> RowOf;                // the same: of Nodes, -1 inside
@@ -349,51 +374,63 @@ void countMoves(const SolidCage& before, SlidBoundary& slid)
 }
 }
 
-std::optional<SlidBoundary> slideBoundary(const SolidSurface& solid, const SweepTopology& topology,
-  const ModelGeometry* geometry, const SolidCage& cage, const std::vector<InteriorStart>& starts,
-  const InteriorOptions& options, const Progress& progress)
+SlidBoundary slideBoundary(const SolidSurface& solid, const SweepTopology& topology,
+  const ModelGeometry* geometry, const SolidCage& cage, const GivenQuads& given,
+  const std::vector<InteriorStart>& starts, const InteriorOptions& options,
+  const Progress& progress)
 {
-  const auto part = [&](int round) {
+  const auto part = [&](double round) {
     return progressPart(progress, round / (MostRounds + 1.0), (round + 1.0) / (MostRounds + 1.0));
   };
   InteriorOptions own = options;
   own.keepQualities = true;
+  own.precision = Precision::Double; // rounded once, in the end
   SweepInterior interior = sweepInterior(cage, starts, own, part(0));
   HexQualitySummary quality = judged(cage, interior);
-  SlidBoundary best{ cage, std::move(interior.points) };
-  bool isBetter = false;
+  SlidBoundary best{ cage, std::move(interior.points), std::move(interior.method) };
+  OnFaces faces(solid, geometry);
   for (int round = 1; round <= MostRounds; ++round)
   {
-    NodeSliding sliding(solid, topology, geometry, best.cage, best.points);
+    NodeSliding sliding(solid, topology, faces, best.cage, best.points, given);
     bool hasSlid = false;
     for (int sweep = 0; sweep < SweepsPerRound; ++sweep)
     {
-      reportProgress(part(round), 0.5 * sweep / SweepsPerRound);
-      hasSlid = sliding.sweep() || hasSlid;
+      constexpr double Width = 0.5 / SweepsPerRound;
+      hasSlid =
+        sliding.sweep(progressPart(part(round), sweep * Width, (sweep + 1) * Width)) || hasSlid;
     }
     if (!hasSlid)
     {
       break;
     }
-    SolidCage next = best.cage;
-    sliding.placeBoundary(next);
-    SweepInterior filled = sweepInterior(
-      next, { startFrom(sliding.points()) }, own, progressPart(part(round), 0.5, 1.0));
-    const HexQualitySummary reached = judged(next, filled);
-    const bool fewerBad = reached.notCertified < quality.notCertified;
-    const bool higher = reached.notCertified == quality.notCertified &&
-      reached.minScaledJacobian > quality.minScaledJacobian + LeastGain;
-    if (!fewerBad && !higher)
+    try
+    {
+      SolidCage next = best.cage;
+      sliding.placeBoundary(next);
+      SweepInterior filled = sweepInterior(
+        next, { startFrom(sliding.points()) }, own, progressPart(part(round), 0.5, 1.0));
+      const HexQualitySummary reached = judged(next, filled);
+      const bool fewerBad = reached.notCertified < quality.notCertified;
+      const bool higher = reached.notCertified == quality.notCertified &&
+        reached.minScaledJacobian > quality.minScaledJacobian + LeastGain &&
+        reached.minScaledJacobian + reached.meanScaledJacobian >
+          quality.minScaledJacobian + quality.meanScaledJacobian;
+      if (!fewerBad && !higher)
+      {
+        break;
+      }
+      best.cage = std::move(next);
+      best.points = std::move(filled.points);
+      quality = reached;
+    }
+    catch (const InvalidInput&)
+    {
+      break; // what was reached before stays
+    }
+    catch (const SolverFailure&)
     {
       break;
     }
-    best = { std::move(next), std::move(filled.points) };
-    quality = reached;
-    isBetter = true;
-  }
-  if (!isBetter)
-  {
-    return std::nullopt;
   }
   countMoves(cage, best);
   return best;

@@ -10,15 +10,23 @@
 #include "Core/Interior/SweepInterior.h"
 #include "Core/Solids/SolidCage.h"
 
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace hexsweep
 {
+/// Whose nodes stay where they are, since they were given.
+struct GivenQuads
+{
+  bool source = false;
+  bool sides = false;
+};
+
 struct SlidBoundary
 {
   SolidCage cage;
   Points points;             ///< of the hexahedra in it, see SweepInterior::points
+  std::string method;        ///< of the interior that was begun with
   Index moved = 0;           ///< boundary nodes that lie elsewhere now
   double greatestMove = 0.0; ///< of one of them
 };
@@ -33,12 +41,14 @@ struct SlidBoundary
  *
  * @param geometry where nodes lie on the true surfaces, else nullptr: the facets of a face count.
  * @param starts   for the interior of the cage as it is given.
- * @return nothing where no move makes the mesh better.
+ * @param options  the precision does not count: nothing is rounded here.
+ * @return the cage as it was, and filled, where no move makes the mesh better.
  * @throw as sweepInterior(); Aborted.
  */
-std::optional<SlidBoundary> slideBoundary(const SolidSurface& solid, const SweepTopology& topology,
-  const ModelGeometry* geometry, const SolidCage& cage, const std::vector<InteriorStart>& starts,
-  const InteriorOptions& options, const Progress& progress = {});
+SlidBoundary slideBoundary(const SolidSurface& solid, const SweepTopology& topology,
+  const ModelGeometry* geometry, const SolidCage& cage, const GivenQuads& given,
+  const std::vector<InteriorStart>& starts, const InteriorOptions& options,
+  const Progress& progress = {});
 }
 
 #endif

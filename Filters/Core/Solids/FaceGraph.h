@@ -14,10 +14,10 @@
 
 namespace hexsweep
 {
-/// How a face lies in space.
 /// Of lines in Pluecker coordinates (direction, moment): mean of their dyads.
 using NormalLines = Eigen::Matrix<double, 6, 6>;
 
+/// How a face lies in space.
 struct FaceShape
 {
   double area = 0.0;

@@ -52,6 +52,10 @@ SideMotion bestMotion(const FaceGraph& graph, const NormalLines& across, const N
   };
   const GeneralizedAxes axes = generalizedAxes(part(through),
     part(across + through) + Idle * Eigen::MatrixXd::Identity(coordinates, coordinates));
+  if (axes.vectors.cols() != coordinates)
+  {
+    return { {}, std::numeric_limits<double>::infinity() }; // faces without area
+  }
   Eigen::Matrix<double, 6, 1> best = Eigen::Matrix<double, 6, 1>::Zero();
   best.head(coordinates) = axes.vectors.col(coordinates - 1);
   const double crossed = best.dot(through * best);

@@ -7,6 +7,7 @@
 
 #include <vtkStaticCellLocator.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -91,6 +92,37 @@ TEST_P(MovedBoundaries, RaiseTheMinimumOnTheSolid)
 
 INSTANTIATE_TEST_SUITE_P(
   Random, MovedBoundaries, testing::Values("../random/f6", "../random/f10", "../random/f4"));
+
+TEST(BoundaryMoves, CapsAreThoseThatAreTakenWithout)
+{
+  // Rough meshes that rank the ways are made alike.
+  test::SolidSweep given(test::solidGrid("elbow"));
+  given.filter->Update();
+  test::SolidSweep moved(test::solidGrid("elbow"));
+  moved.filter->MoveBoundaryNodesOn();
+  moved.filter->Update();
+  for (const char* caps : { hexsweep::reports::SourceFaceIds, hexsweep::reports::TargetFaceIds })
+  {
+    EXPECT_EQ(report(moved.hexes(), caps), report(given.hexes(), caps)) << caps;
+  }
+}
+
+TEST(BoundaryMoves, SinglePrecisionMovesTheSameNodes)
+{
+  std::array<double, 2> counts{};
+  for (const int precision : { 0, 1 })
+  {
+    test::SolidSweep sweep(test::failureGrid("../random/f10"));
+    sweep.filter->MoveBoundaryNodesOn();
+    sweep.filter->SetOutputPointsPrecision(precision);
+    sweep.filter->Update();
+    counts[static_cast<std::size_t>(precision)] =
+      report(sweep.hexes(), hexsweep::reports::MovedBoundaryNodes);
+    EXPECT_EQ(report(sweep.hexes(), hexsweep::reports::NotCertified), 0.0);
+  }
+  EXPECT_GT(counts[0], 0.0);
+  EXPECT_EQ(counts[0], counts[1]);
+}
 
 TEST(BoundaryMoves, WhatCannotBeBetterStays)
 {

@@ -13,8 +13,8 @@ namespace hexsweep
 {
 struct SweepChoice
 {
-  /// The likeliest first: one, where a face is named, else up to three, or five where something grave
-  /// speaks against all. Not empty.
+  /// The likeliest first: one, where a face is named, else up to three, or five where something
+  /// grave speaks against all. Not empty.
   std::vector<SweepTopology> sweeps;
   SweepCandidates ranking; ///< empty where both caps are named
 };

@@ -78,10 +78,7 @@ std::vector<InteriorStart> startsOf(const SweepCage& cage, const HexOutputSettin
 {
   if (settings.begun.points)
   {
-    return { { settings.begun.method,
-      [&settings](const SweepCage&, const Progress&, const ParallelFor&) {
-        return *settings.begun.points;
-      } } };
+    return { startAt(settings.begun.method, *settings.begun.points) };
   }
   return interiorStarts(
     static_cast<InteriorKind>(settings.method), cage.isRuled, windingOf(cage.boundary));

@@ -14,8 +14,8 @@ SUBJECTS = {
               "Filters/HexSweepCapDisk", "Filters/vtkSweepQuadProjector", "Filters/vtkHarmonicDiskMap"),
     "inside": ("Filters/Core/Interior/", "Filters/Core/Hexahedra/", "Filters/HexSweepInterior",
                "Filters/HexSweepHex", "Filters/HexSweepCage", "Filters/vtkCageHexInterior", "Filters/vtkHexValidity"),
-    "solids": ("Filters/Core/Solids/", "Filters/HexSweepSolid", "Filters/HexSweepBod", "Filters/vtkSolidFaces",
-               "Filters/vtkOneToOneSweep", "Filters/Core/Surfaces/"),
+    "solids": ("Filters/Core/Solids/", "Filters/HexSweepSolid", "Filters/HexSweepBod", "Filters/HexSweepBest",
+               "Filters/vtkSolidFaces", "Filters/vtkOneToOneSweep", "Filters/Core/Surfaces/"),
     "input": ("Filters/",),
 }
 _SITE = re.compile(

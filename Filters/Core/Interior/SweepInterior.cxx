@@ -417,6 +417,12 @@ constexpr double RepeatedShare = 0.2;
 constexpr int Repetitions = 2;
 }
 
+InteriorStart startAt(const std::string& name, const Points& points)
+{
+  return { name,
+    [&points](const SweepCage&, const Progress&, const ParallelFor&) { return points; } };
+}
+
 SweepInterior sweepInterior(const SweepCage& cage, const std::vector<InteriorStart>& starts,
   const InteriorOptions& options, const Progress& progress)
 {

@@ -30,6 +30,9 @@ struct InteriorStart
   std::function<bool(const SweepCage& cage)> rivals = {};
 };
 
+/// Begins where an interior is. @param points of it; must outlive the start.
+InteriorStart startAt(const std::string& name, const Points& points);
+
 struct InteriorOptions
 {
   /// Untangle locally what is not valid.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/BoundarySliding.h"
 
+#include "Core/Common/CellPatches.h"
 #include "Core/Common/Errors.h"
 #include "Core/Common/StandardIndex.h"
 #include "Core/Geometry/TriangleSearch.h"
@@ -108,17 +109,13 @@ public:
     , Given(given)
     , SourcePoints(cage.source.rows())
     , Hexes(sweptHexes(cage.quads, points, cage.boundary.numberOfLayers()))
-    , HexesOf(at(points.rows()))
+    , HexesOf(this->Hexes, points.rows())
     , RowOf(at(points.rows()), -1)
     , Values(at(this->Hexes.rows()))
     , Places(points)
   {
     for (Index h = 0; h < this->Hexes.rows(); ++h)
     {
-      for (int c = 0; c < 8; ++c)
-      {
-        this->HexesOf[at(this->Hexes(h, c))].push_back(h);
-      }
       this->Values[at(h)] = this->valueOf(h);
     }
     for (std::size_t row = 0; row < this->Nodes.points.size(); ++row)
@@ -225,7 +222,7 @@ private:
   double nearestCorner(Index node) const
   {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Index h : this->HexesOf[at(node)])
+    for (const Index h : this->HexesOf[node])
     {
       for (const Index other : this->Hexes.row(h))
       {
@@ -242,7 +239,7 @@ private:
   double worth(Index node) const
   {
     double sum = 0.0;
-    for (const Index h : this->HexesOf[at(node)])
+    for (const Index h : this->HexesOf[node])
     {
       sum -= std::exp(-Sharpness * this->valueOf(h));
     }
@@ -270,7 +267,7 @@ private:
     {
       return false;
     }
-    for (const Index h : this->HexesOf[at(node)])
+    for (const Index h : this->HexesOf[node])
     {
       this->Values[at(h)] = this->valueOf(h);
     }
@@ -341,9 +338,9 @@ private:
   GivenQuads Given;
   Index SourcePoints;
   hexsweep::Hexes Hexes;
-  std::vector<std::vector<Index>> HexesOf; // by node of the mesh
-  std::vector<Index> RowOf;                // the same: of Nodes, -1 inside
-  std::vector<double> Values;              // scaled Jacobians
+  CellsAtNodes HexesOf;
+  std::vector<Index> RowOf;   // by node of the mesh: of Nodes, -1 inside
+  std::vector<double> Values; // scaled Jacobians
   Points Places;
 };
 
@@ -353,12 +350,6 @@ HexQualitySummary judged(const SolidCage& cage, const SweepInterior& interior)
       ? hexQualities(
           interior.points, sweptHexes(cage.quads, interior.points, cage.boundary.numberOfLayers()))
       : interior.qualities);
-}
-
-InteriorStart startFrom(const Points& points)
-{
-  return { "Slid boundary",
-    [&points](const SweepCage&, const Progress&, const ParallelFor&) { return points; } };
 }
 
 void countMoves(const SolidCage& before, SlidBoundary& slid)
@@ -407,8 +398,8 @@ SlidBoundary slideBoundary(const SolidSurface& solid, const SweepTopology& topol
     {
       SolidCage next = best.cage;
       sliding.placeBoundary(next);
-      SweepInterior filled = sweepInterior(
-        next, { startFrom(sliding.points()) }, own, progressPart(part(round), 0.5, 1.0));
+      SweepInterior filled = sweepInterior(next, { startAt("Slid boundary", sliding.points()) },
+        own, progressPart(part(round), 0.5, 1.0));
       const HexQualitySummary reached = judged(next, filled);
       const bool fewerBad = reached.notCertified < quality.notCertified;
       const bool higher = reached.notCertified == quality.notCertified &&

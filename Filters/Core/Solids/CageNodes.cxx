@@ -32,7 +32,6 @@ std::vector<Column> columnPlaces(const RingStack& rings, Index points)
   }
   return columns;
 }
-
 }
 
 CageNodes cageNodes(const SolidCage& cage, const SolidSurface& solid, const SweepTopology& topology)

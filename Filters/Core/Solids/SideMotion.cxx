@@ -88,14 +88,18 @@ SideMotion findSideMotion(const FaceGraph& graph, const std::vector<char>& isSid
       caps.add(graph.faces[face]);
     }
   }
-  const auto best = [&](Index coordinates) {
-    return bestMotion(graph, sides.mean(), caps.mean(), source, target, coordinates);
+  const auto best = [&, across = sides.mean(), through = caps.mean()](Index coordinates) {
+    return bestMotion(graph, across, through, source, target, coordinates);
   };
   // The facets of a cylinder may lie along a screw a little better than along its axis.
   constexpr double Straight = 1e-3;
   constexpr double Alike = 2.0;
-  const SideMotion shift = best(3);
-  const SideMotion any = best(6);
-  return shift.slip <= std::max(Straight, Alike * any.slip) ? shift : any;
+  SideMotion shift = best(3);
+  if (shift.slip <= Straight)
+  {
+    return shift;
+  }
+  SideMotion any = best(6);
+  return shift.slip <= Alike * any.slip ? shift : any;
 }
 }

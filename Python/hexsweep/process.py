@@ -4,6 +4,7 @@
 import contextlib
 import json
 import os
+import select
 import signal
 import sys
 import threading
@@ -13,6 +14,7 @@ from .errors import SweepError
 _SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
 ]
+_HEARING = 0.2  # seconds between two looks for signals
 
 
 class Interrupted(BaseException):
@@ -66,6 +68,9 @@ def in_child(work):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, _SIGNALS)
         os.close(start)
         with open(end, "rb") as pipe:
+            # A signal that comes just before a read that waits would be heard only after it.
+            while not select.select([pipe], [], [], _HEARING)[0]:
+                pass
             told = pipe.read()
         _, status = os.waitpid(child, 0)
     except BaseException:

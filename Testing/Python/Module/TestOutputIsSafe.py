@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 
 from command_line import (
@@ -140,6 +141,26 @@ def test_signals(folder):
     assert min(waited) < 1.0, waited  # a busy machine may delay one, not all
 
 
+def test_signal_before_waiting(_folder):
+    """One that comes after Python has looked for signals, but before it waits for the child, does not
+    end the waiting; nor does one that another thread takes, which can be had at will."""
+    from hexsweep.process import Interrupted, heard_signals, in_child
+
+    def signal_here():
+        time.sleep(0.3)
+        signal.pthread_kill(threading.get_ident(), signal.SIGINT)
+
+    begin = time.monotonic()
+    try:
+        with heard_signals():
+            threading.Thread(target=signal_here).start()
+            in_child(lambda: time.sleep(60))
+        raise AssertionError("nothing was heard")
+    except Interrupted as interrupted:
+        assert interrupted.number == signal.SIGINT
+    assert time.monotonic() - begin < 20, time.monotonic() - begin
+
+
 def test_death(folder):
     """The working process is ended from outside, here for its time."""
     old = old_file(folder, "old.vtu")
@@ -208,7 +229,8 @@ if __name__ == "__main__":
         test_full_disk()
         for test in (
             test_output_is_checked_before_the_work, test_read_only, test_file_size_limit,
-            test_damage_is_seen, test_signals, test_death, test_folder_vanishes,
+            test_damage_is_seen, test_signals, test_signal_before_waiting,
+            test_death, test_folder_vanishes,
         ):
             with temporary_folder() as output:
                 test(output)

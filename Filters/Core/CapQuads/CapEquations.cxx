@@ -94,7 +94,7 @@ Eigen::VectorXd CapEquations::step(
   if (this->Kind == NewtonEquations::Roughly)
   {
     return conjugateGradients(
-      this->Hessian, -gradient, GradientSteps, GradientTolerance, parallelFor);
+      this->Hessian, -gradient, NodeUnknowns::Two, GradientSteps, GradientTolerance, parallelFor);
   }
   if (!this->Solver)
   {

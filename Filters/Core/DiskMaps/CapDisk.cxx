@@ -78,6 +78,8 @@ namespace
 {
 /// How often triangles that are flipped beside a hole are split at most.
 constexpr int RefinementRounds = 8;
+/// Rounds in a row that do not help end it: where they cannot, each doubles what is turned over.
+constexpr int VainRounds = 3;
 
 struct Candidate
 {
@@ -201,7 +203,8 @@ void mapWithFallback(CapDisk& cap, Weights weights, const std::vector<PlanePoint
   };
   CapDisk uncut = cap;
   cap = mapped(std::move(cap));
-  for (int round = 0; round < RefinementRounds && !cap.flipped.empty() &&
+  int vain = 0;
+  for (int round = 0; round < RefinementRounds && vain < VainRounds && !cap.flipped.empty() &&
        cap.improvement != TriangulationImprovement::Off;
        ++round)
   {
@@ -221,9 +224,11 @@ void mapWithFallback(CapDisk& cap, Weights weights, const std::vector<PlanePoint
     install(finer, improveTriangulation(finer.mesh, { true, false }));
     finer = mapped(std::move(finer));
     finer.flipsBefore = cap.flipsBefore;
+    ++vain;
     if (finer.flipped.size() < cap.flipped.size())
     {
       cap = std::move(finer);
+      vain = 0;
     }
   }
 }

@@ -3,9 +3,7 @@
 
 #include "Core/Common/Errors.h"
 #include "Core/Geometry/FoldoverFreeEnergy.h"
-#include "Core/Solvers/MultifrontalSolver.h"
-
-#include <Eigen/IterativeLinearSolvers>
+#include "Core/Solvers/ConjugateGradients.h"
 
 #include <algorithm>
 #include <array>
@@ -23,9 +21,7 @@ constexpr double SufficientDecrease = 1e-4;
 constexpr double Damping = 1e-6;
 /// Shape counts, size hardly, as for the quads.
 constexpr double VolumeWeight = 1.0 / 128.0;
-/// Unknowns up to which a factorisation is quicker: a volume's fills in as the square.
-constexpr Index MostFactorized = 9000;
-constexpr double IterativeTolerance = 1e-3;
+constexpr double StepTolerance = 1e-2; // relative, of Newton's step
 constexpr int MostIterations = 300;
 
 /// The trilinear shape functions' derivatives at one place, for the nodes that count there.
@@ -98,10 +94,8 @@ struct HexDescent::System
   /// block are ColumnLength of its variable apart.
   std::vector<int> Slots;
   std::vector<int> ColumnLength;
-  std::optional<MultifrontalSolver> Solver;
 
-  System(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
-    const std::vector<bool>& free)
+  System(const HexesRef& hexes, const HexBoxes& boxes, const std::vector<bool>& free)
     : Cells(hexes)
     , InverseBoxes(boxes.cwiseInverse())
   {
@@ -109,7 +103,6 @@ struct HexDescent::System
     const NeighborLists neighbors = this->neighborVariables();
     this->setPattern(neighbors);
     this->findSlots(neighbors);
-    this->chooseSolver(points);
   }
 
   Corners corners(const Points& points, Index h) const
@@ -232,28 +225,11 @@ struct HexDescent::System
     return { sum, gradient };
   }
 
-  /// Newton's step; not a number where the matrix is not positive definite to working accuracy.
-  Eigen::VectorXd step(const Eigen::VectorXd& gradient)
+  /// Newton's step.
+  Eigen::VectorXd step(const Eigen::VectorXd& gradient) const
   {
-    if (!this->Solver)
-    {
-      Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper,
-        Eigen::IncompleteCholesky<double>>
-        solver;
-      solver.setTolerance(IterativeTolerance);
-      solver.setMaxIterations(MostIterations);
-      solver.compute(this->Hessian);
-      return solver.solve(-gradient);
-    }
-    try
-    {
-      this->Solver->factorize(this->Hessian);
-      return this->Solver->solve(-gradient);
-    }
-    catch (const SolverFailure&)
-    {
-      return Eigen::VectorXd::Constant(gradient.size(), std::nan(""));
-    }
+    return conjugateGradients(
+      this->Hessian, -gradient, NodeUnknowns::Three, MostIterations, StepTolerance);
   }
 
   Points moved(const Points& points, const Eigen::VectorXd& move, double length) const
@@ -371,27 +347,10 @@ private:
       }
     }
   }
-
-  /// A factorisation where it is quicker than iterations.
-  void chooseSolver(const PointsRef& points)
-  {
-    const Index n = this->Hessian.rows();
-    if (n == 0 || n > MostFactorized)
-    {
-      return;
-    }
-    Points places(n, 3);
-    for (Index j = 0; j < n; ++j)
-    {
-      places.row(j) = points.row(this->FreeNodes[static_cast<std::size_t>(j / 3)]);
-    }
-    this->Solver.emplace(this->Hessian, MultifrontalSolver::Kind::Cholesky, places);
-  }
 };
 
-HexDescent::HexDescent(const PointsRef& points, const HexesRef& hexes, const HexBoxes& boxes,
-  const std::vector<bool>& free)
-  : Equations(std::make_unique<System>(points, hexes, boxes, free))
+HexDescent::HexDescent(const HexesRef& hexes, const HexBoxes& boxes, const std::vector<bool>& free)
+  : Equations(std::make_unique<System>(hexes, boxes, free))
 {
 }
 

@@ -108,7 +108,7 @@ PatchResult untanglePatch(const CurablePatch& patch, const std::vector<bool>& fr
   const Points& points, double budget, Precision precision, const Progress& progress)
 {
   PatchResult best{ points, measure(points, patch.hexes) };
-  const HexDescent descent(points, patch.hexes, patch.boxes, free);
+  const HexDescent descent(patch.hexes, patch.boxes, free);
   if (!descent.hasFreeNodes())
   {
     return best;

@@ -82,7 +82,7 @@ double raisePatch(Points& points, const CellPatch& patch, const Progress& progre
 {
   const Points places = points(patch.nodes, Eigen::all);
   const Hexes hexes = patch.corners;
-  const HexDescent descent(places, hexes, ownBoxes(places, hexes), patch.free);
+  const HexDescent descent(hexes, ownBoxes(places, hexes), patch.free);
   if (!descent.hasFreeNodes())
   {
     return 0.0;

@@ -13,25 +13,29 @@ namespace
 constexpr Index NodesAtOnce = 2048;
 constexpr Index NodesOfVectors = 16384;
 
-/// The matrix and what is wanted of it, two unknowns at a time.
+/// The matrix and what is wanted of it, the unknowns of a node at a time.
+template <int Width>
 class BlockSystem
 {
 public:
+  using Block = Eigen::Matrix<double, Width, Width>;
+  using Unknowns = Eigen::Matrix<double, Width, 1>;
+
   BlockSystem(const SparseMatrix& matrix, const ParallelFor& parallelFor)
     : Matrix(matrix)
     , Threads(parallelFor)
-    , Inverse(static_cast<std::size_t>(matrix.rows() / 2))
+    , Inverse(static_cast<std::size_t>(matrix.rows() / Width))
     , Partial(static_cast<std::size_t>((this->nodes() + NodesAtOnce - 1) / NodesAtOnce), 0.0)
   {
     this->forNodes(NodesAtOnce, [&](Index j) {
-      Eigen::Matrix2d block = Eigen::Matrix2d::Zero();
-      for (int c = 0; c < 2; ++c)
+      Block block = Block::Zero();
+      for (int c = 0; c < Width; ++c)
       {
-        for (SparseMatrix::InnerIterator it(this->Matrix, 2 * j + c); it; ++it)
+        for (SparseMatrix::InnerIterator it(this->Matrix, Width * j + c); it; ++it)
         {
-          if (it.row() / 2 == j)
+          if (it.row() / Width == j)
           {
-            block(it.row() % 2, c) = it.value();
+            block(it.row() % Width, c) = it.value();
           }
         }
       }
@@ -40,7 +44,7 @@ public:
     });
   }
 
-  Index nodes() const { return this->Matrix.rows() / 2; }
+  Index nodes() const { return this->Matrix.rows() / Width; }
 
   /// The sum of what the body returns for each node.
   template <typename Body>
@@ -58,27 +62,35 @@ public:
     return std::accumulate(this->Partial.begin(), this->Partial.begin() + pieces, 0.0);
   }
 
-  /// Two rows of the product; the matrix is symmetric, so that its columns will do.
-  Eigen::Vector2d product(Index j, const Eigen::VectorXd& x) const
+  /// A node's rows of the product; the matrix is symmetric, so that its columns will do.
+  Unknowns product(Index j, const Eigen::VectorXd& x) const
   {
-    const int* outer = this->Matrix.outerIndexPtr();
-    const int begin = outer[2 * j];
-    const int size = outer[2 * j + 1] - begin;
-    const int* rows = this->Matrix.innerIndexPtr() + begin;
-    const double* first = this->Matrix.valuePtr() + begin;
-    const double* second = this->Matrix.valuePtr() + outer[2 * j + 1];
-    Eigen::Vector2d sum(0.0, 0.0);
-    for (int k = 0; k < size; k += 2)
+    const int* outer = this->Matrix.outerIndexPtr() + Width * j;
+    const int size = outer[1] - outer[0];
+    const int* rows = this->Matrix.innerIndexPtr() + outer[0];
+    const double* columns[Width];
+    for (int c = 0; c < Width; ++c)
     {
-      const double a = x[rows[k]];
-      const double b = x[rows[k] + 1];
-      sum[0] += first[k] * a + first[k + 1] * b;
-      sum[1] += second[k] * a + second[k + 1] * b;
+      columns[c] = this->Matrix.valuePtr() + outer[c];
+    }
+    Unknowns sum = Unknowns::Zero();
+    for (int k = 0; k < size; k += Width)
+    {
+      const double* const values = x.data() + rows[k];
+      for (int c = 0; c < Width; ++c)
+      {
+        double part = columns[c][k] * values[0];
+        for (int r = 1; r < Width; ++r)
+        {
+          part += columns[c][k + r] * values[r];
+        }
+        sum[c] += part;
+      }
     }
     return sum;
   }
 
-  Eigen::Vector2d precondition(Index j, const Eigen::Vector2d& residual) const
+  Unknowns precondition(Index j, const Unknowns& residual) const
   {
     return this->Inverse[static_cast<std::size_t>(j)] * residual;
   }
@@ -86,30 +98,30 @@ public:
 private:
   const SparseMatrix& Matrix;
   const ParallelFor& Threads;
-  std::vector<Eigen::Matrix2d> Inverse; // of the diagonal's blocks
-  std::vector<double> Partial;          // sums
+  std::vector<Block> Inverse;  // of the diagonal's blocks
+  std::vector<double> Partial; // sums
 };
-}
 
-Eigen::VectorXd conjugateGradients(const SparseMatrix& matrix, const Eigen::VectorXd& b, int steps,
+template <int Width>
+Eigen::VectorXd iterate(const SparseMatrix& matrix, const Eigen::VectorXd& b, int steps,
   double tolerance, const ParallelFor& parallelFor)
 {
-  BlockSystem system(matrix, parallelFor);
+  BlockSystem<Width> system(matrix, parallelFor);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
   Eigen::VectorXd residual = b;
   Eigen::VectorXd direction(b.size());
   Eigen::VectorXd image(b.size());
-  const auto two = [](auto& vector, Index j) { return vector.template segment<2>(2 * j); };
+  const auto at = [](auto& vector, Index j) { return vector.template segment<Width>(Width * j); };
   double square = system.forNodes(NodesOfVectors, [&](Index j) {
-    two(direction, j) = system.precondition(j, two(residual, j));
-    return two(direction, j).dot(two(residual, j));
+    at(direction, j) = system.precondition(j, at(residual, j));
+    return at(direction, j).dot(at(residual, j));
   });
   const double enough = tolerance * tolerance * square;
   for (int step = 0; step < steps && square > enough; ++step)
   {
     const double curvature = system.forNodes(NodesAtOnce, [&](Index j) {
-      two(image, j) = system.product(j, direction);
-      return two(image, j).dot(two(direction, j));
+      at(image, j) = system.product(j, direction);
+      return at(image, j).dot(at(direction, j));
     });
     if (!(curvature > 0.0))
     {
@@ -117,19 +129,27 @@ Eigen::VectorXd conjugateGradients(const SparseMatrix& matrix, const Eigen::Vect
     }
     const double length = square / curvature;
     const double next = system.forNodes(NodesOfVectors, [&](Index j) {
-      two(x, j) += length * two(direction, j);
-      two(residual, j) -= length * two(image, j);
+      at(x, j) += length * at(direction, j);
+      at(residual, j) -= length * at(image, j);
       // The image is no longer needed.
-      two(image, j) = system.precondition(j, two(residual, j));
-      return two(image, j).dot(two(residual, j));
+      at(image, j) = system.precondition(j, at(residual, j));
+      return at(image, j).dot(at(residual, j));
     });
     const double turn = next / square;
     square = next;
     system.forNodes(NodesOfVectors, [&](Index j) {
-      two(direction, j) = two(image, j) + turn * two(direction, j);
+      at(direction, j) = at(image, j) + turn * at(direction, j);
       return 0.0;
     });
   }
   return x;
+}
+}
+
+Eigen::VectorXd conjugateGradients(const SparseMatrix& matrix, const Eigen::VectorXd& b,
+  NodeUnknowns unknowns, int steps, double tolerance, const ParallelFor& parallelFor)
+{
+  return unknowns == NodeUnknowns::Two ? iterate<2>(matrix, b, steps, tolerance, parallelFor)
+                                       : iterate<3>(matrix, b, steps, tolerance, parallelFor);
 }
 }

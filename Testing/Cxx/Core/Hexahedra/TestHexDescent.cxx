@@ -68,7 +68,7 @@ struct OneFreeNode
     std::vector<bool> free = this->block.fixed;
     free.flip();
     const hexsweep::HexBoxes boxes = hexsweep::HexBoxes::Ones(this->block.hexes.rows(), 3);
-    const hexsweep::HexDescent descent(this->start, this->block.hexes, boxes, free);
+    const hexsweep::HexDescent descent(this->block.hexes, boxes, free);
     return descent.descend(this->start, hexsweep::HexSamples::Corners, epsilon, 100, 1e-15);
   }
 };
@@ -119,7 +119,7 @@ TEST(HexDescent, WithoutFreeNodesNothingMoves)
 {
   const test::HexBlock block = test::makeBlock(1);
   const hexsweep::HexDescent descent(
-    block.points, block.hexes, hexsweep::HexBoxes::Ones(1, 3), std::vector<bool>(8, false));
+    block.hexes, hexsweep::HexBoxes::Ones(1, 3), std::vector<bool>(8, false));
   EXPECT_FALSE(descent.hasFreeNodes());
 }
 }

@@ -35,7 +35,7 @@ TEST(HexDescent, FindsTheCubesAgain)
 {
   // The undisturbed block is the minimum: every Jacobian is the identity.
   const HexBlock block = test::makeBlock(3);
-  const HexDescent descent(block.points, block.hexes, cubes(block), opposite(block.fixed));
+  const HexDescent descent(block.hexes, cubes(block), opposite(block.fixed));
   for (const HexSamples samples : { HexSamples::Corners, HexSamples::Lattice })
   {
     Points points = test::shaken(block, 0.3, 5);
@@ -55,7 +55,7 @@ TEST(HexDescent, BoxesSetTheScale)
   block.points *= 1e6;
   HexBoxes boxes = cubes(block) * 1e6;
   boxes.col(1) *= 1e-3;
-  const HexDescent descent(block.points, block.hexes, boxes, opposite(block.fixed));
+  const HexDescent descent(block.hexes, boxes, opposite(block.fixed));
   Points points = block.points;
   for (Index i = 0; i < points.rows(); ++i)
   {

@@ -5,25 +5,30 @@
 #include "Support/DenseTruth.h"
 #include "Support/LentThreads.h"
 
+#include <type_traits>
+
 namespace TestConjugateGradients
 {
 using hexsweep::conjugateGradients;
 using hexsweep::Index;
+using hexsweep::NodeUnknowns;
 using hexsweep::SparseMatrix;
 
 /// Springs between the nodes of a grid, stiffer along one direction that differs from spring to
 /// spring; the nodes outside the grid stay.
+template <int Width>
 SparseMatrix springs(int cells)
 {
+  using Block = Eigen::Matrix<double, Width, Width>;
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   std::vector<Eigen::Triplet<double, int>> entries;
-  const auto add = [&](int a, int b, const Eigen::Matrix2d& block) {
-    for (int i = 0; i < 2; ++i)
+  const auto add = [&](int a, int b, const Block& block) {
+    for (int i = 0; i < Width; ++i)
     {
-      for (int j = 0; j < 2; ++j)
+      for (int j = 0; j < Width; ++j)
       {
-        entries.emplace_back(2 * a + i, 2 * b + j, block(i, j));
+        entries.emplace_back(Width * a + i, Width * b + j, block(i, j));
       }
     }
   };
@@ -37,9 +42,10 @@ SparseMatrix springs(int cells)
       for (const auto& [di, dj] : { std::pair{ 0, 1 }, std::pair{ 1, 0 } })
       {
         const double angle = 3.0 * uniform(generator);
-        const Eigen::Vector2d axis(std::cos(angle), std::sin(angle));
-        const Eigen::Matrix2d block =
-          0.1 * Eigen::Matrix2d::Identity() + uniform(generator) * axis * axis.transpose();
+        Eigen::Matrix<double, Width, 1> axis = Eigen::Matrix<double, Width, 1>::Zero();
+        axis[0] = std::cos(angle);
+        axis[Width - 1] = std::sin(angle);
+        const Block block = 0.1 * Block::Identity() + uniform(generator) * axis * axis.transpose();
         const int a = node(i, j);
         const int b = node(i + di, j + dj);
         if (a >= 0)
@@ -58,7 +64,7 @@ SparseMatrix springs(int cells)
       }
     }
   }
-  SparseMatrix matrix(2 * cells * cells, 2 * cells * cells);
+  SparseMatrix matrix(Width * cells * cells, Width * cells * cells);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -75,45 +81,57 @@ double quadratic(const SparseMatrix& matrix, const Eigen::VectorXd& b, const Eig
   return 0.5 * x.dot(matrix * x) - b.dot(x);
 }
 
-TEST(ConjugateGradients, ReachTheSolution)
+template <typename Width>
+class ConjugateGradients : public ::testing::Test
 {
-  const SparseMatrix matrix = springs(12);
+};
+using Widths = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(ConjugateGradients, Widths);
+
+TYPED_TEST(ConjugateGradients, ReachTheSolution)
+{
+  constexpr auto unknowns = static_cast<NodeUnknowns>(TypeParam::value);
+  const SparseMatrix matrix = springs<TypeParam::value>(12);
   const Eigen::VectorXd b = randomVector(matrix.rows());
   const Eigen::VectorXd truth = test::denseSolution(matrix, b);
-  const Eigen::VectorXd x = conjugateGradients(matrix, b, 1000, 1e-12);
+  const Eigen::VectorXd x = conjugateGradients(matrix, b, unknowns, 1000, 1e-12);
   EXPECT_LT((x - truth).norm(), 1e-9 * truth.norm());
 }
 
-TEST(ConjugateGradients, EveryStepDescends)
+TYPED_TEST(ConjugateGradients, EveryStepDescends)
 {
-  const SparseMatrix matrix = springs(30);
+  constexpr auto unknowns = static_cast<NodeUnknowns>(TypeParam::value);
+  const SparseMatrix matrix = springs<TypeParam::value>(30);
   const Eigen::VectorXd b = randomVector(matrix.rows());
   double last = 0.0;
   for (const int steps : { 1, 2, 5, 10, 20, 40 })
   {
-    const double value = quadratic(matrix, b, conjugateGradients(matrix, b, steps, 0.0));
+    const double value = quadratic(matrix, b, conjugateGradients(matrix, b, unknowns, steps, 0.0));
     EXPECT_LT(value, last) << steps;
     last = value;
   }
 }
 
-TEST(ConjugateGradients, StopWhereEnoughIsReached)
+TYPED_TEST(ConjugateGradients, StopWhereEnoughIsReached)
 {
-  const SparseMatrix matrix = springs(20);
+  constexpr auto unknowns = static_cast<NodeUnknowns>(TypeParam::value);
+  const SparseMatrix matrix = springs<TypeParam::value>(20);
   const Eigen::VectorXd b = randomVector(matrix.rows());
-  const Eigen::VectorXd rough = conjugateGradients(matrix, b, 1000, 0.1);
+  const Eigen::VectorXd rough = conjugateGradients(matrix, b, unknowns, 1000, 0.1);
   const double left = (b - matrix * rough).norm() / b.norm();
   EXPECT_LT(left, 0.3);
   EXPECT_GT(left, 1e-4);
-  EXPECT_EQ(conjugateGradients(matrix, Eigen::VectorXd::Zero(b.size()), 10, 0.1).norm(), 0.0);
+  EXPECT_EQ(
+    conjugateGradients(matrix, Eigen::VectorXd::Zero(b.size()), unknowns, 10, 0.1).norm(), 0.0);
 }
 
-TEST(ConjugateGradients, SameBitsInAnyOrder)
+TYPED_TEST(ConjugateGradients, SameBitsInAnyOrder)
 {
-  const SparseMatrix matrix = springs(200); // several pieces
+  constexpr auto unknowns = static_cast<NodeUnknowns>(TypeParam::value);
+  const SparseMatrix matrix = springs<TypeParam::value>(200); // several pieces
   const Eigen::VectorXd b = randomVector(matrix.rows());
-  const Eigen::VectorXd one = conjugateGradients(matrix, b, 30, 0.0);
-  EXPECT_EQ(one, conjugateGradients(matrix, b, 30, 0.0, test::backwards));
-  EXPECT_EQ(one, conjugateGradients(matrix, b, 30, 0.0, test::sideBySide));
+  const Eigen::VectorXd one = conjugateGradients(matrix, b, unknowns, 30, 0.0);
+  EXPECT_EQ(one, conjugateGradients(matrix, b, unknowns, 30, 0.0, test::backwards));
+  EXPECT_EQ(one, conjugateGradients(matrix, b, unknowns, 30, 0.0, test::sideBySide));
 }
 }

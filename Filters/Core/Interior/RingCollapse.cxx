@@ -54,14 +54,17 @@ void checkRings(const SweepBoundary& boundary, const std::vector<Loop>& loops)
     for (std::size_t l = 0; l < loops.size(); ++l)
     {
       const Index size = static_cast<Index>(loops[l].size());
+      const auto next = [&](Index j) { return first + (j + 1) % size; };
+      const auto hasCollapsed = [&](Index j) {
+        const Index here = first + j;
+        return std::min(edge(k - 1, here, next(j)), edge(k, here, next(j))) <
+          CollapsedShare * std::min(edge(0, here, next(j)), edge(layers, here, next(j))) &&
+          turnsOver(before.row(here), before.row(next(j)), ring.row(next(j)), ring.row(here));
+      };
       for (Index j = 0; j < size; ++j)
       {
         const Index here = first + j;
-        const Index next = first + (j + 1) % size;
-        const bool isShort = std::min(edge(k - 1, here, next), edge(k, here, next)) <
-          CollapsedShare * std::min(edge(0, here, next), edge(layers, here, next));
-        if (isShort &&
-          turnsOver(before.row(here), before.row(next), ring.row(next), ring.row(here)))
+        if (edge(k, here, next(j)) == 0.0 || (hasCollapsed(j) && hasCollapsed((j + 1) % size)))
         {
           throw InvalidInput("the linking side of " +
             std::string(first == boundary.outerBegin ? "the outer loop (loop " : "a hole (loop ") +

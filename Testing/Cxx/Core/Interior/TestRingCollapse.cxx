@@ -20,6 +20,8 @@ Eigen::RowVector3d turned(double x, double y, double angle, double z)
     z };
 }
 
+constexpr double Sharpness = 0.1; // half of the rhombus's short diagonal
+
 void check(const Sweep& sweep)
 {
   hexsweep::checkRings(test::boundaryOf(sweep),
@@ -44,6 +46,32 @@ TEST(RingCollapse, StraightColumnsThatCrossAreNamed)
     EXPECT_NE(
       std::string(error.what()).find("ring 4 is turned over against ring 3"), std::string::npos)
       << error.what();
+  }
+}
+
+/// On a rhombus with two sharp corners, about which the whole ring slides by an angle.
+Eigen::RowVector3d onRhombus(double x, double y, double slide, double z)
+{
+  const double u = x - 0.5;
+  const double v = y - 0.5;
+  const double distance = 2.0 * std::max(std::abs(u), std::abs(v));
+  const double angle = std::atan2(v, u) + slide;
+  const double radius =
+    distance / (std::abs(std::cos(angle)) + std::abs(std::sin(angle)) / Sharpness);
+  return { radius * std::cos(angle), radius * std::sin(angle), z };
+}
+
+TEST(RingCollapse, ColumnsMaySlideOverASharpRidge)
+{
+  // Of an oblique prism with slanted layers, in which an edge that passes a ridge turns far round.
+  for (const double shear : { 1.0, 1.5, 2.0 })
+  {
+    const Sweep sweep =
+      test::makeSweep(4, 4, false, test::evenLayers(4), [=](double x, double y, double t) {
+        const Eigen::RowVector3d place = onRhombus(x, y, 0.42 * t, t);
+        return Eigen::RowVector3d(place[0], place[1] + shear * t, place[2] + 1.45 * place[0]);
+      });
+    EXPECT_NO_THROW(check(sweep)) << shear;
   }
 }
 

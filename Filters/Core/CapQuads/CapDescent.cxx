@@ -295,6 +295,7 @@ CapDescent::Result CapDescent::descend(
   for (int step = 0; step < steps && energy.gradient().squaredNorm() > 0.0; ++step)
   {
     const Eigen::VectorXd move = energy.step(result.points);
+    ++result.steps;
     const double slope = move.dot(energy.gradient());
     if (!move.allFinite() || !(slope < 0.0))
     {

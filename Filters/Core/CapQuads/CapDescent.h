@@ -54,6 +54,7 @@ public:
     Points points;
     double before;
     double after;
+    Index steps = 0; ///< Newton steps taken
   };
 
   using ColumnTerm = std::function<ColumnCornerTerm(std::size_t corner, const CornerEdges& edges)>;

@@ -33,6 +33,11 @@ constexpr double MostInPatches = 0.5;
 constexpr Index FewQuads = 1000;
 /// Scaled Jacobian below which corners that are upright are opened further.
 constexpr double Thin = 0.1;
+/// Newton steps times quads for each wanted shape: some seconds for some thousand quads.
+constexpr double StepsTimesQuads = 4e5;
+constexpr Index LeastSteps = 30;
+/// Part of the inverted corners left that earns as many steps again.
+constexpr double WorthMore = 0.5;
 constexpr int OpeningRounds = 3;
 constexpr double OpeningEpsilon = 0.01;
 
@@ -77,6 +82,13 @@ CapDescent::Result descend(const CapDescent& descent, const Points& points,
     NewtonSteps, Settled);
 }
 
+/// For each wanted shape, counted so that results do not depend on the machine.
+Index mostSteps(const CapCorners& cap)
+{
+  return std::max(
+    LeastSteps, static_cast<Index>(StepsTimesQuads / static_cast<double>(cap.quads().rows())));
+}
+
 /// One wanted shape after the other, until all corners are upright.
 ImprovedQuads untangleTowards(const std::vector<ReferenceShape>& shapes, const CapCorners& cap,
   const Points& points, const PointsRef& source, const Progress& progress)
@@ -95,17 +107,28 @@ ImprovedQuads untangleTowards(const std::vector<ReferenceShape>& shapes, const C
     // Not the start's: the first descent may well invert more before it mends them.
     std::optional<CornerQuality> reached;
     int stagnant = 0;
-    for (int round = 0; round < MaximumRounds && stagnant < StagnantRounds; ++round)
+    Index steps = 0;
+    Index limit = mostSteps(cap);
+    Index invertedAtLimit = best.quality.inverted;
+    for (int round = 0; round < MaximumRounds && stagnant < StagnantRounds && steps < limit;
+         ++round)
     {
       reportProgress(progress, static_cast<double>(round) / MaximumRounds);
       CapDescent::Result step = descend(descent, current, inverse, epsilon);
       current = std::move(step.points);
+      steps += step.steps;
       ++best.rounds;
       const CornerQuality quality = cap.measure(current);
       if (quality.betterThan(best.quality))
       {
         best.points = current;
         best.quality = quality;
+        if (static_cast<double>(quality.inverted) <=
+          WorthMore * static_cast<double>(invertedAtLimit))
+        {
+          limit = steps + mostSteps(cap);
+          invertedAtLimit = quality.inverted;
+        }
       }
       if (quality.inverted == 0)
       {

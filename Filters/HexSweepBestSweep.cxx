@@ -151,7 +151,13 @@ double thinLayers(double length, LayerRequest& layers)
 
 double badHexes(const BodyMesh& mesh)
 {
-  return mesh.hexes->GetFieldData()->GetArray(reports::NotCertified)->GetTuple1(0);
+  const auto count = [&](const char* report) {
+    return mesh.hexes->GetFieldData()->GetArray(report)->GetTuple1(0);
+  };
+  const double bad = count(reports::NotCertified);
+  // Where nobody asked for certificates no hexahedron has one, and those that are not inverted
+  // are undecided.
+  return bad == count(reports::Hexes) ? bad - count(reports::Undecided) : bad;
 }
 
 double leastOf(const BodyMesh& mesh)

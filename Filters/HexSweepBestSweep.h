@@ -19,7 +19,8 @@ namespace hexsweep
 /// A sweep whose least scaled Jacobian is below this is not the last word.
 constexpr double LowScaledJacobian = 0.2;
 
-/// Hexahedra that are not certified.
+/// Hexahedra that are not certified; where nobody asked for certificates, those that are inverted
+/// or degenerate.
 double badHexes(const BodyMesh& mesh);
 /// The least scaled Jacobian.
 double leastOf(const BodyMesh& mesh);

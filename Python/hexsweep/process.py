@@ -14,7 +14,7 @@ from .errors import SweepError
 _SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
 ]
-_HEARING = 0.2  # seconds between two looks for signals
+_HEARING = 200  # milliseconds between two looks for signals
 
 
 class Interrupted(BaseException):
@@ -69,7 +69,9 @@ def in_child(work):
         os.close(start)
         with open(end, "rb") as pipe:
             # A signal that comes just before a read that waits would be heard only after it.
-            while not select.select([pipe], [], [], _HEARING)[0]:
+            answer = select.poll()  # for any descriptor; select() has those below 1024 only
+            answer.register(pipe, select.POLLIN)
+            while not answer.poll(_HEARING):
                 pass
             told = pipe.read()
         _, status = os.waitpid(child, 0)

@@ -33,7 +33,7 @@ constexpr double MostInPatches = 0.5;
 constexpr Index FewQuads = 1000;
 /// Scaled Jacobian below which corners that are upright are opened further.
 constexpr double Thin = 0.1;
-/// Newton steps times quads for each wanted shape: some seconds for some thousand quads.
+/// Newton steps times quads for each wanted shape: a few seconds.
 constexpr double StepsTimesQuads = 4e5;
 constexpr Index LeastSteps = 30;
 /// Part of the inverted corners left that earns as many steps again.

@@ -20,7 +20,8 @@ namespace hexsweep
  * these fail, squares, then the source quads. Stops at the first mesh whose movable corners are all
  * upright: one between two fixed edges is out of reach and does not count. A wanted shape has
  * failed after 6 rounds in a row that neither cured a corner or raised the minimum by 0.01, nor
- * lowered the energy by 5 %, and after 100 rounds in any case.
+ * lowered the energy by 5 %, after 100 rounds in any case, and after 400 000 Newton steps over the
+ * number of quads (but 30), as many again once half of the inverted corners are cured.
  * The result is never worse than the start (CornerQuality::betterThan()).
  *
  * @param points n x 3: the start, on the surface.

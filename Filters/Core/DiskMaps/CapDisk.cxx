@@ -78,8 +78,23 @@ namespace
 {
 /// How often triangles that are flipped beside a hole are split at most.
 constexpr int RefinementRounds = 8;
-/// Rounds in a row that do not help end it: where they cannot, each doubles what is turned over.
+/// Rounds in a row that leave as much area turned over end it: each may double the triangles.
 constexpr int VainRounds = 3;
+constexpr double AsMuch = 0.9;
+
+/// On the surface.
+double flippedArea(const CapDisk& cap)
+{
+  double sum = 0.0;
+  for (const Index t : cap.flipped)
+  {
+    const auto corner = [&](Index c) { return cap.mesh.points.row(cap.mesh.triangles(t, c)); };
+    const Eigen::RowVector3d a = corner(1) - corner(0);
+    const Eigen::RowVector3d b = corner(2) - corner(0);
+    sum += 0.5 * a.cross(b).norm();
+  }
+  return sum;
+}
 
 struct Candidate
 {
@@ -204,6 +219,7 @@ void mapWithFallback(CapDisk& cap, Weights weights, const std::vector<PlanePoint
   CapDisk uncut = cap;
   cap = mapped(std::move(cap));
   int vain = 0;
+  double area = flippedArea(cap);
   for (int round = 0; round < RefinementRounds && vain < VainRounds && !cap.flipped.empty() &&
        cap.improvement != TriangulationImprovement::Off;
        ++round)
@@ -224,11 +240,12 @@ void mapWithFallback(CapDisk& cap, Weights weights, const std::vector<PlanePoint
     install(finer, improveTriangulation(finer.mesh, { true, false }));
     finer = mapped(std::move(finer));
     finer.flipsBefore = cap.flipsBefore;
-    ++vain;
+    const double left = flippedArea(finer);
+    vain = left < AsMuch * area ? 0 : vain + 1;
+    area = std::min(area, left);
     if (finer.flipped.size() < cap.flipped.size())
     {
       cap = std::move(finer);
-      vain = 0;
     }
   }
 }

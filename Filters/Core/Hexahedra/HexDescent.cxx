@@ -21,7 +21,7 @@ constexpr double SufficientDecrease = 1e-4;
 constexpr double Damping = 1e-6;
 /// Shape counts, size hardly, as for the quads.
 constexpr double VolumeWeight = 1.0 / 128.0;
-constexpr double StepTolerance = 1e-2; // relative, of Newton's step
+constexpr double StepTolerance = 1e-2; // see conjugateGradients()
 constexpr int MostIterations = 300;
 
 /// The trilinear shape functions' derivatives at one place, for the nodes that count there.

@@ -6,6 +6,7 @@
 #include "Core/Hexahedra/HexUntangling.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hexsweep
 {
@@ -171,8 +172,8 @@ RaisedLowHexes raiseLowHexes(const PointsRef& points, const HexesRef& hexes,
     }
     result.patches += static_cast<Index>(patches.size());
     qualities = hexQualities(result.points, hexes, false, parallelFor);
-    gain = leastOf(qualities) - result.after;
-    result.after += gain;
+    const double before = std::exchange(result.after, leastOf(qualities));
+    gain = result.after - before;
   }
   return result;
 }

@@ -64,7 +64,9 @@ void checkRings(const SweepBoundary& boundary, const std::vector<Loop>& loops)
       for (Index j = 0; j < size; ++j)
       {
         const Index here = first + j;
-        if (edge(k, here, next(j)) == 0.0 || (hasCollapsed(j) && hasCollapsed((j + 1) % size)))
+        // On the caps' loops it is theirs to say so.
+        if ((k < layers && edge(k, here, next(j)) == 0.0) ||
+          (hasCollapsed(j) && hasCollapsed((j + 1) % size)))
         {
           throw InvalidInput("the linking side of " +
             std::string(first == boundary.outerBegin ? "the outer loop (loop " : "a hole (loop ") +

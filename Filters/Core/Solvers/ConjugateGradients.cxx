@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/ConjugateGradients.h"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 
 #include <numeric>
 
@@ -12,6 +12,21 @@ namespace
 /// For products with the matrix, and for sums of vectors, which are cheaper than a thread.
 constexpr Index NodesAtOnce = 2048;
 constexpr Index NodesOfVectors = 16384;
+
+/// Of a positive definite block, however near to singular it is: Eigen's closed form of small
+/// inverses has a determinant of any sign there, and with it a direction that does not descend. Of
+/// another block what scales alike.
+template <typename Block>
+Block inverseOfBlock(const Block& block)
+{
+  const Eigen::LLT<Block> factor(block);
+  if (factor.info() == Eigen::Success)
+  {
+    return factor.solve(Block::Identity());
+  }
+  const double size = block.cwiseAbs().maxCoeff();
+  return size > 0.0 ? Block(Block::Identity() / size) : Block(Block::Identity());
+}
 
 /// The matrix and what is wanted of it, the unknowns of a node at a time.
 template <int Width>
@@ -39,7 +54,7 @@ public:
           }
         }
       }
-      this->Inverse[static_cast<std::size_t>(j)] = block.inverse();
+      this->Inverse[static_cast<std::size_t>(j)] = inverseOfBlock(block);
       return 0.0;
     });
   }

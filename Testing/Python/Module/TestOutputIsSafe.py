@@ -161,6 +161,21 @@ def test_signal_before_waiting(_folder):
     assert time.monotonic() - begin < 20, time.monotonic() - begin
 
 
+def test_many_open_files(_folder):
+    """Some ways of waiting know only 1024 descriptors."""
+    from hexsweep.process import in_child
+
+    limits = resource.getrlimit(resource.RLIMIT_NOFILE)
+    if limits[1] < 1200:
+        return
+    resource.setrlimit(resource.RLIMIT_NOFILE, (1200, limits[1]))
+    files = [os.open(os.devnull, os.O_RDONLY) for _ in range(1100)]
+    assert in_child(lambda: 42) == 42
+    for file in files:
+        os.close(file)
+    resource.setrlimit(resource.RLIMIT_NOFILE, limits)
+
+
 def test_death(folder):
     """The working process is ended from outside, here for its time."""
     old = old_file(folder, "old.vtu")
@@ -230,7 +245,7 @@ if __name__ == "__main__":
         for test in (
             test_output_is_checked_before_the_work, test_read_only, test_file_size_limit,
             test_damage_is_seen, test_signals, test_signal_before_waiting,
-            test_death, test_folder_vanishes,
+            test_many_open_files, test_death, test_folder_vanishes,
         ):
             with temporary_folder() as output:
                 test(output)

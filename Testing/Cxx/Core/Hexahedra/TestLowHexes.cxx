@@ -40,8 +40,8 @@ TEST(LowHexes, NodesThatWereMovedTogetherMoveBackTogether)
     const Points start = shorn(block, 4, amount);
     ASSERT_LT(test::judge(start, block.hexes).minScaledJacobian, 0.35);
     const RaisedLowHexes raised = raiseLowHexes(start, block.hexes, block.fixed, 0.7);
-    EXPECT_DOUBLE_EQ(raised.before, test::judge(start, block.hexes).minScaledJacobian);
-    EXPECT_DOUBLE_EQ(raised.after, test::judge(raised.points, block.hexes).minScaledJacobian);
+    EXPECT_EQ(raised.before, test::judge(start, block.hexes).minScaledJacobian);
+    EXPECT_EQ(raised.after, test::judge(raised.points, block.hexes).minScaledJacobian);
     EXPECT_GE(raised.after, 0.7) << amount;
     EXPECT_LE(raised.work, 0.15 * hexsweep::untanglingBudget(block.hexes.rows()));
     for (Index i = 0; i < start.rows(); ++i)

@@ -14,12 +14,12 @@ namespace hexsweep
  * Refuses linking sides that collapse on the way, as straight columns between loops that are turned
  * far against each other do.
  *
- * A ring has collapsed where one of its edges has no length, or where two neighbouring edges that
- * have shrunk below a quarter of their lengths on both loops run against the same edges of the ring
- * before (an angle over 90 degrees) so that the linking quads between them are inverted (a corner
- * that is not positive about the quad's own normal, as Verdict measures quads). One edge alone does
- * so where columns slide over a sharp ridge of the side. That, and sides that only twist, in
- * however few layers, are left to the interior.
+ * A ring has collapsed where one of its edges has no length, or where an edge that has shrunk below
+ * a quarter of its length on both loops runs against the same edge of the ring before (an angle
+ * over 90 degrees) so that the linking quad between them is inverted (a corner that is not positive
+ * about the quad's own normal, as Verdict measures quads). An edge of a loop of more than eight
+ * does so, too, where columns slide over a sharp ridge of the side: the edges beside it run against
+ * each other. That, and sides that only twist, in however few layers, are left to the interior.
  *
  * @param loops of the source, in the order of SweepBoundary::nodes.
  * @throw InvalidInput naming the loop, the first such ring and the place.

@@ -23,5 +23,5 @@ for suite in "${suites[@]}"; do
     exit 2
   fi
 done
-valgrind --quiet --error-exitcode=1 --leak-check=full --errors-for-leak-kinds=definite --track-origins=no \
+valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite \
   "$tests" --gtest_brief=1 --gtest_filter="$filter"

@@ -6,6 +6,7 @@
 #include "Core/Geometry/LoopGeometry.h"
 #include "Core/Solvers/DirichletSolver.h"
 #include "Core/Surfaces/IntrinsicEdgeMiddles.h"
+#include "Core/Surfaces/SurfaceArea.h"
 #include "Core/Surfaces/SurfaceRefinement.h"
 
 #include <algorithm>
@@ -85,15 +86,7 @@ constexpr double AsMuch = 0.9;
 /// On the surface.
 double flippedArea(const CapDisk& cap)
 {
-  double sum = 0.0;
-  for (const Index t : cap.flipped)
-  {
-    const auto corner = [&](Index c) { return cap.mesh.points.row(cap.mesh.triangles(t, c)); };
-    const Eigen::RowVector3d a = corner(1) - corner(0);
-    const Eigen::RowVector3d b = corner(2) - corner(0);
-    sum += 0.5 * a.cross(b).norm();
-  }
-  return sum;
+  return surfaceArea({ cap.mesh.points, cap.mesh.triangles(cap.flipped, Eigen::all) });
 }
 
 struct Candidate
